@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "models/heightmap/height_grid.h"
+
+namespace cuesta {
+
+/// An image pyramid over a height grid. Level 0 holds the leaf texels, level `root_level()` = n the root; n is
+/// the smallest integer with 2^n >= max(width, height). Level L has ceil(width / 2^L) x ceil(height / 2^L)
+/// nodes and nothing is padded. Node (L, i, j) covers the texels [i << L, (i+1) << L) x [j << L, (j+1) << L)
+/// that lie inside the map.
+class Pyramid {
+ public:
+  int root_level() const { return static_cast<int>(levels_.size()) - 1; }
+  int width(int level) const { return levels_[level].width; }
+  int height(int level) const { return levels_[level].height; }
+  int bits() const { return bits_; }
+  uint32_t full_scale() const { return (1u << bits_) - 1; }
+  int texel_bytes() const { return bits_ <= 8 ? 1 : 2; }
+  /// Row-major nodes of a level, `width(level)` apart.
+  const uint16_t* level(int level) const { return values_.data() + levels_[level].first; }
+  uint16_t at(int level, int i, int j) const {
+    return values_[levels_[level].first + static_cast<size_t>(j) * levels_[level].width + i];
+  }
+  size_t node_count() const { return values_.size(); }
+
+ private:
+  struct Level {
+    size_t first;
+    int width;
+    int height;
+  };
+  std::vector<Level> levels_;
+  std::vector<uint16_t> values_;
+  int bits_ = 8;
+
+  friend Pyramid build_max_pyramid(const HeightGrid& grid);
+  friend Pyramid build_mean_pyramid(const HeightGrid& grid);
+};
+
+/// Every node holds the maximum of the texels it covers (Oh, Ki, Lee 2006; Ki & Oh 2007, section 2.1).
+/// Throws input_error for an empty or oversized grid.
+Pyramid build_max_pyramid(const HeightGrid& grid);
+
+/// Every node holds the mean of the texels it covers: exact 64-bit sums, rounded half up once per level, hence
+/// never above the node of the max pyramid.
+Pyramid build_mean_pyramid(const HeightGrid& grid);
+
+}  // namespace cuesta

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "models/common/statistics.h"
+#include "models/heightmap/pyramid.h"
+#include "models/traversal/hit.h"
+#include "models/traversal/machine_ray.h"
+#include "models/traversal/schedule.h"
+#include "sim/config/architecture.h"
+
+namespace cuesta {
+
+enum class Fidelity : uint8_t { kFunctional, kCycle };
+
+/// One run's work: rays in the order of the trace.
+struct Workload {
+  const Pyramid* pyramid = nullptr;  ///< max pyramid
+  MapShape map;
+  std::span<const MachineRay> rays;
+  std::span<const uint32_t> pixel_of_ray;  ///< y * width + x, as long as rays
+  int width = 0, height = 0;               ///< of the planes
+  Schedule schedule;
+};
+
+/// Called now and then with rays finished and rays in all; returning false ends the run early.
+using Progress = std::function<bool(uint64_t finished, uint64_t all)>;
+
+struct Outcome {
+  std::vector<HitRecord> hits;  ///< in the order of the trace; when partial, unfinished rays are kDidNotFinish
+  Measurements measurements;
+  uint64_t finished_rays = 0;   ///< < rays: partial
+  std::string hits_digest;      ///< over rays and hit records
+  std::string digest;           ///< and counters and planes; empty when partial
+};
+
+/// Hits, steps, texel fetches; no time.
+Outcome run_functional(const Workload& work, const Architecture& architecture, const Progress& progress = {});
+
+/// Every cycle of every unit. Throws Error(kNoProgress) with each queue's fill and who waits for whom.
+Outcome run_cycle(const Workload& work, const Architecture& architecture, const Progress& progress = {});
+
+/// The widths that the architecture's [traverse] section gives on this map (mantissa 0 = bits + 4).
+NumberFormat number_format(const TraverseParameters& traverse, const MapShape& map);
+
+/// Conservation laws over one outcome: in = out at every unit, stall reasons add up, bytes balance, planes +
+/// nobody = totals. One sentence per broken law; empty when all hold.
+std::vector<std::string> broken_laws(const Workload& work, const Architecture& architecture, Fidelity fidelity,
+                                     const Outcome& outcome);
+
+}  // namespace cuesta
