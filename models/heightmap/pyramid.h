@@ -37,16 +37,17 @@ class Pyramid {
   std::vector<uint16_t> values_;
   int bits_ = 8;
 
+  friend Pyramid make_pyramid_levels(const HeightGrid& grid);
   friend Pyramid build_max_pyramid(const HeightGrid& grid);
   friend Pyramid build_mean_pyramid(const HeightGrid& grid);
 };
 
 /// Every node holds the maximum of the texels it covers (Oh, Ki, Lee 2006; Ki & Oh 2007, section 2.1).
-/// Throws input_error for an empty or oversized grid.
+/// Throws input_error for an empty or oversized grid, and for a height above full scale.
 Pyramid build_max_pyramid(const HeightGrid& grid);
 
 /// Every node holds the mean of the texels it covers: exact 64-bit sums, rounded half up once per level, hence
-/// never above the node of the max pyramid.
+/// never above the node of the max pyramid. Throws input_error as build_max_pyramid does.
 Pyramid build_mean_pyramid(const HeightGrid& grid);
 
 }  // namespace cuesta
