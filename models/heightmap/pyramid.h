@@ -8,8 +8,8 @@
 
 namespace cuesta {
 
-/// An image pyramid over a height grid. Level 0 holds the leaf texels, level `root_level()` = n the root; n is
-/// the smallest integer with 2^n >= max(width, height). Level L has ceil(width / 2^L) x ceil(height / 2^L)
+/// An image pyramid over a height grid. Level 0 holds the leaf texels, level `root_level()` = n the root; n
+/// is the smallest integer with 2^n >= max(width, height). Level L has ceil(width / 2^L) x ceil(height / 2^L)
 /// nodes and nothing is padded. Node (L, i, j) covers the texels [i << L, (i+1) << L) x [j << L, (j+1) << L)
 /// that lie inside the map.
 class Pyramid {
@@ -46,8 +46,8 @@ class Pyramid {
 /// Throws input_error for an empty or oversized grid, and for a height above full scale.
 Pyramid build_max_pyramid(const HeightGrid& grid);
 
-/// Every node holds the mean of the texels it covers: exact 64-bit sums, rounded half up once per level, hence
-/// never above the node of the max pyramid. Throws input_error as build_max_pyramid does.
+/// Every node holds the mean of the texels it covers: exact 64-bit sums, rounded half up once per level,
+/// hence never above the node of the max pyramid. Throws input_error as build_max_pyramid does.
 Pyramid build_mean_pyramid(const HeightGrid& grid);
 
 }  // namespace cuesta

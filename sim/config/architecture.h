@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "models/heightmap/texel_layout.h"
 #include "models/memory/dram_parameters.h"
 #include "models/traversal/machine_ray.h"
 
@@ -9,7 +10,6 @@ namespace cuesta {
 
 enum class DispatchOrder : uint8_t { kScanline, kTile, kMorton, kHilbert };
 enum class DispatchAssign : uint8_t { kFirstFree, kInterleave };
-enum class TexelLayoutKind : uint8_t { kRowMajor, kMorton, kMipAtlas };
 
 struct MachineParameters {
   int pipelines = 1;

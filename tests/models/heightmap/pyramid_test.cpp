@@ -16,15 +16,16 @@ namespace {
 HeightGrid random_grid(int width, int height, int bits, Random& random) {
   HeightGrid grid{width, height, bits, {}};
   grid.texels.resize(static_cast<size_t>(width) * height);
-  for (uint16_t& texel : grid.texels) texel = static_cast<uint16_t>(random.below(uint64_t{grid.full_scale()} + 1));
+  for (uint16_t& texel : grid.texels)
+    texel = static_cast<uint16_t>(random.below(uint64_t{grid.full_scale()} + 1));
   return grid;
 }
 
 /// Sizes that real files hold, then random ones.
 std::vector<std::pair<int, int>> sizes(Random& random) {
-  std::vector<std::pair<int, int>> list = {{1, 1},   {1, 2},   {2, 1},    {1, 37},  {64, 1},  {2, 2},
-                                           {3, 3},   {33, 33}, {257, 65}, {32, 32}, {31, 33}, {5, 200},
-                                           {129, 1}, {1, 128}, {17, 16}};
+  std::vector<std::pair<int, int>> list = {{1, 1},   {1, 2},   {2, 1},   {1, 37},   {64, 1},
+                                           {2, 2},   {3, 3},   {33, 33}, {257, 65}, {32, 32},
+                                           {31, 33}, {5, 200}, {129, 1}, {1, 128},  {17, 16}};
   for (int k = 0; k < 40; ++k) {
     list.emplace_back(static_cast<int>(random.between(1, 70)), static_cast<int>(random.between(1, 70)));
   }

@@ -1,0 +1,115 @@
+#include "models/heightmap/texel_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <string>
+
+#include "models/common/error.h"
+
+namespace cuesta {
+namespace {
+
+constexpr std::array<TexelLayoutEntry, 3> kLayouts = {{
+    {"row_major", TexelLayoutKind::kRowMajor, "Level after level, each row by row, levels 64-byte aligned."},
+    {"morton", TexelLayoutKind::kMorton, "Level after level, each in Morton order, levels 64-byte aligned."},
+    {"mip_atlas", TexelLayoutKind::kMipAtlas,
+     "One row-major image of 1.5 times the width: level 0 at the left, the others below each other at its "
+     "right."},
+}};
+
+constexpr int kMaxSide = 16384;
+
+}  // namespace
+
+std::span<const TexelLayoutEntry> texel_layouts() { return kLayouts; }
+
+std::string_view name_of(TexelLayoutKind kind) {
+  for (const TexelLayoutEntry& entry : kLayouts) {
+    if (entry.kind == kind) return entry.name;
+  }
+  return "?";
+}
+
+TexelLayout::TexelLayout(TexelLayoutKind kind, int width, int height, int texel_bytes) : kind_(kind) {
+  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide) {
+    throw usage_error("A texel layout of " + std::to_string(width) + " x " + std::to_string(height) +
+                      " texels was asked for; 1 to " + std::to_string(kMaxSide) +
+                      " on each side are accepted.");
+  }
+  if (texel_bytes != 1 && texel_bytes != 2 && texel_bytes != 4) {
+    throw usage_error("A texel layout with " + std::to_string(texel_bytes) +
+                      " bytes a texel was asked for; 1, 2 and 4 are accepted.");
+  }
+  texel_shift_ = std::countr_zero(static_cast<unsigned>(texel_bytes));
+  while (true) {
+    levels_.push_back({});
+    levels_.back().width = width;
+    levels_.back().height = height;
+    if (width == 1 && height == 1) break;
+    width = (width + 1) / 2;
+    height = (height + 1) / 2;
+  }
+  if (kind_ == TexelLayoutKind::kMipAtlas) {
+    place_in_atlas();
+  } else {
+    place_level_after_level();
+  }
+}
+
+void TexelLayout::place_level_after_level() {
+  uint64_t end = 0;
+  for (int index = 0; index <= root_level(); ++index) {
+    Level& level = levels_[index];
+    unsigned last_i = static_cast<unsigned>(level.width - 1);
+    unsigned last_j = static_cast<unsigned>(level.height - 1);
+    level.base = (end + kLevelAlignment - 1) / kLevelAlignment * kLevelAlignment;
+    level.pitch = static_cast<uint32_t>(level.width);
+    level.shared_bits = static_cast<int>(std::min(std::bit_width(last_i), std::bit_width(last_j)));
+    // Both orders grow with i and with j, so the last texel of a level is its far corner.
+    end = offset(index, level.width - 1, level.height - 1) + static_cast<uint64_t>(texel_bytes());
+  }
+  size_bytes_ = end;
+}
+
+void TexelLayout::place_in_atlas() {
+  uint32_t pitch = static_cast<uint32_t>(levels_[0].width);
+  if (root_level() > 0) pitch += static_cast<uint32_t>(levels_[1].width);
+  uint64_t upper_rows = 0;
+  for (int index = 0; index <= root_level(); ++index) {
+    Level& level = levels_[index];
+    level.pitch = pitch;
+    if (index == 0) continue;
+    level.base = (upper_rows * pitch + static_cast<uint64_t>(levels_[0].width)) << texel_shift_;
+    upper_rows += static_cast<uint64_t>(level.height);
+  }
+  uint64_t rows = std::max(upper_rows, static_cast<uint64_t>(levels_[0].height));
+  size_bytes_ = (rows * pitch) << texel_shift_;
+}
+
+std::vector<std::byte> TexelLayout::write_image(const Pyramid& pyramid) const {
+  bool same = pyramid.root_level() == root_level() && pyramid.width(0) == levels_[0].width &&
+              pyramid.height(0) == levels_[0].height && pyramid.texel_bytes() <= texel_bytes();
+  if (!same) {
+    throw usage_error("A pyramid of " + std::to_string(pyramid.width(0)) + " x " +
+                      std::to_string(pyramid.height(0)) + " texels of " +
+                      std::to_string(pyramid.texel_bytes()) + " bytes does not fit a layout made for " +
+                      std::to_string(levels_[0].width) + " x " + std::to_string(levels_[0].height) +
+                      " texels of " + std::to_string(texel_bytes()) + " bytes.");
+  }
+  std::vector<std::byte> image(size_bytes_);
+  for (int level = 0; level <= root_level(); ++level) {
+    for (int j = 0; j < levels_[level].height; ++j) {
+      for (int i = 0; i < levels_[level].width; ++i) {
+        uint64_t at = offset(level, i, j);
+        uint32_t value = pyramid.at(level, i, j);
+        for (int byte = 0; byte < texel_bytes(); ++byte) {
+          image[at + static_cast<uint64_t>(byte)] = static_cast<std::byte>((value >> (8 * byte)) & 0xFF);
+        }
+      }
+    }
+  }
+  return image;
+}
+
+}  // namespace cuesta
