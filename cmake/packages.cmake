@@ -1,0 +1,19 @@
+# Everything that the tree takes from Debian; ./setup installs it. Nothing is fetched at configure or build time.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)   # OpenSSL::Crypto (SHA-256)
+find_package(zstd REQUIRED CONFIG)                 # zstd::libzstd_shared
+find_package(tomlplusplus REQUIRED CONFIG)         # tomlplusplus::tomlplusplus
+find_package(nlohmann_json REQUIRED CONFIG)        # nlohmann_json::nlohmann_json
+find_package(CLI11 REQUIRED CONFIG)                # CLI11::CLI11
+find_package(fmt REQUIRED CONFIG)                  # fmt::fmt
+include(openimageio)                               # OpenImageIO::OpenImageIO
+
+if(BUILD_TESTING)
+  find_package(GTest REQUIRED CONFIG)              # GTest::gtest, GTest::gtest_main, GTest::gmock
+  include(GoogleTest)
+  find_package(benchmark REQUIRED CONFIG)          # benchmark::benchmark_main
+  find_package(rapidcheck REQUIRED CONFIG)         # rapidcheck
+  find_package(Boost 1.74 REQUIRED)                # Boost::headers (Multiprecision)
+  include(systemc)                                 # cuesta_systemc
+endif()
