@@ -1,0 +1,271 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "models/heightmap/pyramid.h"
+#include "models/traversal/arithmetic.h"
+#include "models/traversal/geometry.h"
+#include "models/traversal/hit.h"
+#include "models/traversal/machine_ray.h"
+#include "models/traversal/schedule.h"
+
+// The traversal's value: what one ray does, step by step, without time. `start` is what ray_setup computes,
+// `visit` what traverse computes for one node; both the functional run and the cycle model call them, so a hit
+// is computed in one place.
+//
+// Every exact algorithm is this code under another schedule. A node is skipped only when its bound proves that
+// it holds no hit, where the ray is follows from the time alone, and the leaf's answer is a function of ray and
+// cell: so every schedule returns the same hit, bit for bit.
+
+namespace cuesta {
+
+enum class Visit : uint8_t { kContinue, kHit, kMiss };
+
+/// What is the same for all rays of a run.
+template <class A, class G>
+struct Walk {
+  typename A::Format format;
+  MapShape map;
+  AxisMap x, y;
+  Schedule schedule;
+  int32_t root_bound;  ///< the pyramid's root: the map's maximum
+
+  Walk(const MapShape& shape, const NumberFormat& number, const Schedule& rules, int32_t root_maximum)
+      : format(A::format(shape, number)),
+        map(shape),
+        x{shape.width, int64_t{1} << shape.root_level, shape.root_level},
+        y{shape.height, int64_t{1} << shape.root_level, shape.root_level},
+        schedule(rules),
+        root_bound(root_maximum) {}
+};
+
+/// A ray on its way: what a context of the traverse unit holds.
+template <class A, class G>
+struct RayState {
+  using Time = typename A::Time;
+  typename A::Line x, y, z;
+  G gx, gy;
+  Time t_cur, t_start, t_max;
+  Time t_root;               ///< rising: when the ray passes the map's maximum
+  int32_t level;             ///< of the node to visit next
+  int32_t down;              ///< levels per descent: the schedule's, 1 after the first crossing
+  int32_t last_crossed;      ///< level of the previous step if that was a crossing, else -1
+  uint32_t steps;
+  bool rising;
+  HitFace face;              ///< after a hit
+  Time t_hit;                ///< after a hit
+};
+
+namespace traversal_detail {
+
+/// Left the map, past t_max, or rising above everything: checked before each visit, costs no step.
+template <class A, class G>
+Visit before_visit(const Walk<A, G>& walk, const RayState<A, G>& ray) {
+  if (ray.t_cur >= ray.t_max) return Visit::kMiss;
+  if (ray.rising && ray.t_root <= ray.t_cur) return Visit::kMiss;
+  if (walk.map.address_mode == AddressMode::kBorder &&
+      (ray.gx.outside(walk.x, ray.level) || ray.gy.outside(walk.y, ray.level))) {
+    return Visit::kMiss;
+  }
+  return Visit::kContinue;
+}
+
+/// The smallest level whose node holds the start cell and the cell where the ray must have ended.
+template <class A, class G>
+int span_level(const Walk<A, G>& walk, const RayState<A, G>& ray, const MachineRay& input, int64_t origin_x,
+               int64_t origin_y, int64_t cell_x, int64_t cell_y) {
+  using Time = typename A::Time;
+  const MapShape& map = walk.map;
+  Time t_end = ray.t_max;
+  if (input.dz < 0) t_end = std::min(t_end, A::at(ray.z, 0));
+  if (ray.rising) t_end = std::min(t_end, ray.t_root);
+  t_end = std::max(t_end, ray.t_start);
+  const bool border = map.address_mode == AddressMode::kBorder;
+  auto end_cell = [&](const auto& line, int64_t origin, int64_t d, int64_t start, const AxisMap& axis) {
+    if (d == 0) return start;
+    const bool unlimited = A::is_infinite(t_end, walk.format);
+    if (border && (unlimited || A::at(line, axis.size) <= t_end)) return axis.size - 1;
+    if (unlimited) return start + axis.padded;  // another tile
+    return A::cell_at(line, origin, d, t_end, walk.format);
+  };
+  const int64_t end_x = end_cell(ray.x, origin_x, input.dx < 0 ? -input.dx : input.dx, cell_x, walk.x);
+  const int64_t end_y = end_cell(ray.y, origin_y, input.dy < 0 ? -input.dy : input.dy, cell_y, walk.y);
+  return std::max(G::common_level(walk.x, cell_x, end_x, input.dx < 0),
+                  G::common_level(walk.y, cell_y, end_y, input.dy < 0));
+}
+
+}  // namespace traversal_detail
+
+/// ray_setup: clips to slab and map, makes the three lines, finds the start cell and level. kMiss: dead at
+/// set-up, 0 steps.
+template <class A, class G>
+Visit start(const Walk<A, G>& walk, const MachineRay& input, RayState<A, G>& ray) {
+  using Time = typename A::Time;
+  const int f = walk.format.number.fraction_bits;
+  ray.steps = 0;
+  ray.last_crossed = -1;
+  ray.down = walk.schedule.down;
+  ray.face = HitFace::kNone;
+  if (input.dead) return Visit::kMiss;
+  const bool flip_x = input.dx < 0, flip_y = input.dy < 0;
+  const int64_t dx = flip_x ? -input.dx : input.dx, dy = flip_y ? -input.dy : input.dy;
+  const int64_t x0 = flip_x ? (walk.x.size << f) - input.x0 : input.x0;
+  const int64_t y0 = flip_y ? (walk.y.size << f) - input.y0 : input.y0;
+  ray.x = A::plane_line(x0, dx, walk.format);
+  ray.y = A::plane_line(y0, dy, walk.format);
+  ray.z = A::height_line(input.z0, input.dz, walk.format);
+  ray.rising = input.dz > 0;
+  ray.t_max = A::limit(input, walk.format);
+  ray.t_root = A::at(ray.z, walk.root_bound);
+
+  Time t_start = 0;
+  if (input.dz < 0) t_start = std::max(t_start, A::at(ray.z, walk.map.full_scale()));
+  if (walk.map.address_mode == AddressMode::kBorder) {
+    t_start = std::max(t_start, std::max(A::at(ray.x, 0), A::at(ray.y, 0)));
+    if (!(t_start < std::min(A::at(ray.x, walk.x.size), A::at(ray.y, walk.y.size)))) return Visit::kMiss;
+    if (input.dz < 0 && !(t_start <= A::at(ray.z, 0))) return Visit::kMiss;
+  }
+  ray.t_start = ray.t_cur = t_start;
+  if (t_start >= ray.t_max || (ray.rising && ray.t_root <= t_start)) return Visit::kMiss;
+
+  const int64_t cell_x = A::cell_at(ray.x, x0, dx, t_start, walk.format);
+  const int64_t cell_y = A::cell_at(ray.y, y0, dy, t_start, walk.format);
+  ray.level = walk.map.root_level;
+  if (walk.schedule.start == StartRule::kLeaf) ray.level = walk.schedule.stop_level;
+  if (walk.schedule.start == StartRule::kSpan) {
+    ray.level = std::max(walk.schedule.stop_level,
+                         traversal_detail::span_level(walk, ray, input, x0, y0, cell_x, cell_y));
+  }
+  ray.gx.start(walk.x, cell_x, flip_x);
+  ray.gy.start(walk.y, cell_y, flip_y);
+  ray.gx.go_to_level(ray.level);
+  ray.gy.go_to_level(ray.level);
+  return Visit::kContinue;
+}
+
+/// One step: the ray, standing before node (ray.level, ray.gx, ray.gy), learns the node's bound (at the stop
+/// level: the texel) and hits, descends or crosses.
+template <class A, class G>
+inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
+  using Time = typename A::Time;
+  const Schedule& rules = walk.schedule;
+  const int level = ray.level;
+  ++ray.steps;
+  const Time t_x = A::at(ray.x, ray.gx.exit_plane(walk.x, level));
+  const Time t_y = A::at(ray.y, ray.gy.exit_plane(walk.y, level));
+  const Time t_out = std::min(t_x, t_y);
+  const Time t_z = A::at(ray.z, bound);
+
+  if (level > rules.stop_level) {
+    const Time reached = ray.rising ? ray.t_cur : std::max(ray.t_cur, t_z);
+    const bool skip = ray.rising ? t_z <= ray.t_cur : !(reached < t_out);
+    if (!skip) {
+      ray.t_cur = reached;
+      ray.last_crossed = -1;
+      for (int left = std::min(ray.down, level - rules.stop_level); left > 0; --left) {
+        ray.gx.descend(A::at(ray.x, ray.gx.middle_plane(walk.x, ray.level)) <= reached);
+        ray.gy.descend(A::at(ray.y, ray.gy.middle_plane(walk.y, ray.level)) <= reached);
+        --ray.level;
+      }
+      return reached >= ray.t_max ? Visit::kMiss : Visit::kContinue;
+    }
+  } else if (ray.rising || t_z < t_out) {
+    const Time in_x = A::at(ray.x, ray.gx.enter_plane(walk.x, level));
+    const Time in_y = A::at(ray.y, ray.gy.enter_plane(walk.y, level));
+    const Time later = std::max(in_x, in_y);
+    const Time t_in = std::max(ray.t_start, later);
+    const Time t_hit = ray.rising ? t_in : std::max(t_in, t_z);
+    if (t_hit < std::min(t_out, ray.t_max) && (!ray.rising || t_in < t_z)) {
+      ray.t_hit = t_hit;
+      if (!ray.rising && t_z >= t_in) ray.face = HitFace::kTop;
+      else if (later >= ray.t_start) ray.face = in_x >= in_y ? HitFace::kWallX : HitFace::kWallY;
+      else ray.face = HitFace::kInside;
+      return Visit::kHit;
+    }
+  }
+
+  // Cross: every axis whose plane lies at t_out advances (a corner is crossed diagonally).
+  const bool cross_x = t_x == t_out, cross_y = t_y == t_out;
+  ray.gx.advance(walk.x, level, cross_x);
+  ray.gy.advance(walk.y, level, cross_y);
+  ray.t_cur = t_out;
+  ray.down = 1;
+  if (traversal_detail::before_visit(walk, ray) == Visit::kMiss) return Visit::kMiss;
+
+  if (level < walk.map.root_level && rules.up != UpRule::kNever) {
+    const bool even_axis =
+        (cross_x && ray.gx.index_is_even()) || (cross_y && ray.gy.index_is_even());
+    auto neighbour_is_skipped = [&] {
+      if (ray.rising) return true;
+      const Time next_out = std::min(A::at(ray.x, ray.gx.exit_plane(walk.x, level)),
+                                     A::at(ray.y, ray.gy.exit_plane(walk.y, level)));
+      return !(std::max(t_out, t_z) < next_out);
+    };
+    bool up = false;
+    switch (rules.up) {
+      case UpRule::kNever: break;
+      case UpRule::kAlways: up = true; break;
+      case UpRule::kInterval: up = level % 2 == 0; break;
+      case UpRule::kEvenAxis: up = even_axis; break;
+      case UpRule::kBothEven: up = ray.gx.index_is_even() && ray.gy.index_is_even(); break;
+      case UpRule::kSelective: up = neighbour_is_skipped(); break;
+      case UpRule::kSelectiveEven: up = even_axis && neighbour_is_skipped(); break;
+      case UpRule::kCoherent: up = ray.last_crossed == level; break;
+    }
+    if (up) {
+      ray.gx.ascend();
+      ray.gy.ascend();
+      ++ray.level;
+    }
+  }
+  ray.last_crossed = level;
+  return Visit::kContinue;
+}
+
+/// The record of a ray that has ended with `end`.
+template <class A, class G>
+HitRecord hit_record(const Walk<A, G>& walk, const RayState<A, G>& ray, uint64_t id, Visit end) {
+  HitRecord record;
+  record.ray_id = id;
+  record.steps = ray.steps;
+  if (end != Visit::kHit) return record;
+  record.status = HitStatus::kHit;
+  record.face = ray.face;
+  record.stop_level = static_cast<uint8_t>(ray.level);
+  record.i = static_cast<int32_t>(ray.gx.real_index(walk.x, ray.level));
+  record.j = static_cast<int32_t>(ray.gy.real_index(walk.y, ray.level));
+  record.t = A::bits(ray.t_hit);
+  return record;
+}
+
+/// Traverses one ray to its end. `fetch(level, i, j)` gives the bound of a node (i, j: fetch indices).
+template <class A, class G, class Fetch>
+HitRecord traverse_ray(const Walk<A, G>& walk, const MachineRay& input, Fetch&& fetch) {
+  RayState<A, G> ray;
+  Visit state = start(walk, input, ray);
+  while (state == Visit::kContinue) {
+    state = visit(walk, ray, fetch(ray.level, ray.gx.fetch_index(walk.x, ray.level),
+                                   ray.gy.fetch_index(walk.y, ray.level)));
+  }
+  return hit_record(walk, ray, input.id, state);
+}
+
+/// Calls `body.template operator()<A, G>()` with the arithmetic and the geometry that fit.
+template <class Body>
+decltype(auto) with_traversal_types(Arithmetic arithmetic, const MapShape& map, Body&& body) {
+  const bool plain = map.is_square_power_of_two();
+  switch (arithmetic) {
+    case Arithmetic::kFloat:
+      return plain ? body.template operator()<FloatArithmetic, PlainAxis>()
+                   : body.template operator()<FloatArithmetic, TiledAxis>();
+    case Arithmetic::kDouble:
+      return plain ? body.template operator()<DoubleArithmetic, PlainAxis>()
+                   : body.template operator()<DoubleArithmetic, TiledAxis>();
+    case Arithmetic::kFixed: break;
+  }
+  return plain ? body.template operator()<FixedArithmetic, PlainAxis>()
+               : body.template operator()<FixedArithmetic, TiledAxis>();
+}
+
+}  // namespace cuesta
