@@ -8,10 +8,12 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "models/common/error.h"
+#include "models/common/words.h"
 
 namespace cuesta {
 
@@ -51,7 +53,7 @@ class TomlTable {
   size_t choice(std::string_view key, std::span<const std::string_view> names,
                 std::optional<size_t> otherwise = {}) const;
   template <class E, size_t N>
-  E choice(std::string_view key, const Named<E> (&named)[N], std::optional<E> otherwise = {}) const;
+  E choice(std::string_view key, const Named<E> (&named)[N], std::optional<std::type_identity_t<E>> otherwise = {}) const;
   /// True when the key is there and a text: for keys that take a text or a number.
   bool is_text(std::string_view key) const;
 
@@ -106,21 +108,8 @@ class TomlDocument {
   TomlTable root_;
 };
 
-/// Number of letters to insert, delete, change or swap to make one text of the other.
-size_t edit_distance(std::string_view a, std::string_view b);
-/// The nearest of `names` if it is near enough to be meant, else empty.
-std::string_view nearest_name(std::string_view found, std::span<const std::string_view> names);
-/// "; did you mean `x`?", or empty.
-std::string did_you_mean(std::string_view found, std::span<const std::string_view> names);
-/// "a, b, c".
-std::string joined(std::span<const std::string_view> names);
-/// Printable, at most 60 characters: for texts of unknown origin in messages.
-std::string printable(std::string_view text);
-/// Shortest decimal text that reads back as the same double.
-std::string shortest_text(double value);
-
 template <class E, size_t N>
-E TomlTable::choice(std::string_view key, const Named<E> (&named)[N], std::optional<E> otherwise) const {
+E TomlTable::choice(std::string_view key, const Named<E> (&named)[N], std::optional<std::type_identity_t<E>> otherwise) const {
   std::array<std::string_view, N> names;
   std::optional<size_t> fallback;
   for (size_t k = 0; k < N; ++k) {
