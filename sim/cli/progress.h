@@ -1,0 +1,43 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "sim/cli/command.h"
+
+namespace cuesta {
+
+/// A bar with rate and time left on a terminal (stderr), plain lines every few seconds elsewhere, nothing when
+/// quiet. Cheap to call often.
+class ProgressBar {
+ public:
+  /// `unit` in the plural: "rays", "comparisons". `all` 0: the total is not known.
+  ProgressBar(const Session& session, std::string label, std::string unit, uint64_t all);
+  /// Clears the bar.
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// False when the user asked to stop (Ctrl-C): keep what is finished and return ExitCode::kIncomplete.
+  bool update(uint64_t finished);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void print(uint64_t finished, Clock::time_point now);
+
+  bool quiet_;
+  bool terminal_;
+  bool drawn_ = false;
+  std::string label_;
+  std::string unit_;
+  uint64_t all_;
+  Clock::time_point start_;
+  Clock::time_point next_;
+};
+
+/// True once SIGINT or SIGTERM has come; main() installs the handler. A second signal ends the program at once.
+bool stop_requested();
+void install_stop_handler();
+
+}  // namespace cuesta
