@@ -13,26 +13,29 @@
 namespace cuesta {
 namespace {
 
+using strict_toml_detail::description;
 using strict_toml_detail::Kind;
 using strict_toml_detail::Node;
-using strict_toml_detail::description;
 
 constexpr uintmax_t kLargestFile = 256 * 1024;
 
 Error value_error(const Node& node, const std::string& accepted) {
-  return usage_error(node.place + ": `" + node.path + "` is " + description(node) + "; accepted is " + accepted +
-                     ".");
+  return usage_error(node.place + ": `" + node.path + "` is " + description(node) + "; accepted is " +
+                     accepted + ".");
 }
 
 std::string child_path(const Node& table, std::string_view key) {
   return table.path.empty() ? std::string(key) : table.path + "." + std::string(key);
 }
 
-std::vector<std::string_view> views(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
+std::vector<std::string_view> views(const std::vector<std::string>& texts) {
+  return {texts.begin(), texts.end()};
+}
 
 /// The value at `key`, marked as known, or nullptr.
 Node* ask(Node& table, std::string_view key) {
-  if (std::find(table.asked.begin(), table.asked.end(), key) == table.asked.end()) table.asked.emplace_back(key);
+  if (std::find(table.asked.begin(), table.asked.end(), key) == table.asked.end())
+    table.asked.emplace_back(key);
   Node* node = table.child(key);
   if (node) node->known = true;
   return node;
@@ -48,7 +51,8 @@ Node* ask(Node& table, std::string_view key, bool required, const std::string& a
                         std::string(key) + "`?");
     }
   }
-  throw usage_error(table.place + ": `" + child_path(table, key) + "` is missing; accepted is " + accepted + ".");
+  throw usage_error(table.place + ": `" + child_path(table, key) + "` is missing; accepted is " + accepted +
+                    ".");
 }
 
 std::string range_text(IntegerRange range) {
@@ -78,8 +82,8 @@ double real_of(const Node& node, RealRange accepted) {
 }
 
 std::string choice_error(const Node& node, std::span<const std::string_view> names) {
-  std::string message = node.place + ": `" + node.path + "` is " + description(node) + "; accepted is one of " +
-                        joined(names);
+  std::string message =
+      node.place + ": `" + node.path + "` is " + description(node) + "; accepted is one of " + joined(names);
   const std::string near = node.kind == Kind::kText ? did_you_mean(node.text, names) : "";
   return message + (near.empty() ? "." : near);
 }
@@ -91,12 +95,13 @@ size_t choice_of(const Node& node, std::span<const std::string_view> names) {
 }
 
 /// The elements of an array, or of a missing one.
-std::span<const std::shared_ptr<Node>> elements(Node& table, std::string_view key, bool required, size_t count,
-                                                const std::string& of_what) {
+std::span<const std::shared_ptr<Node>> elements(Node& table, std::string_view key, bool required,
+                                                size_t count, const std::string& of_what) {
   const std::string accepted = "an array of " + (count ? std::to_string(count) + " " : "") + of_what;
   const Node* node = ask(table, key, required, accepted);
   if (!node) return {};
-  if (node->kind != Kind::kArray || (count && node->children.size() != count)) throw value_error(*node, accepted);
+  if (node->kind != Kind::kArray || (count && node->children.size() != count))
+    throw value_error(*node, accepted);
   return node->children;
 }
 
@@ -116,7 +121,8 @@ bool TomlTable::boolean(std::string_view key, std::optional<bool> otherwise) con
   return node->boolean;
 }
 
-int64_t TomlTable::integer(std::string_view key, IntegerRange accepted, std::optional<int64_t> otherwise) const {
+int64_t TomlTable::integer(std::string_view key, IntegerRange accepted,
+                           std::optional<int64_t> otherwise) const {
   const Node* node = ask(*node_, key, !otherwise, range_text(accepted));
   return node ? integer_of(*node, accepted) : *otherwise;
 }
@@ -139,9 +145,11 @@ size_t TomlTable::choice(std::string_view key, std::span<const std::string_view>
   return node ? choice_of(*node, names) : *otherwise;
 }
 
-std::vector<double> TomlTable::reals(std::string_view key, RealRange accepted, size_t count, bool required) const {
+std::vector<double> TomlTable::reals(std::string_view key, RealRange accepted, size_t count,
+                                     bool required) const {
   std::vector<double> values;
-  for (const auto& node : elements(*node_, key, required, count, "numbers")) values.push_back(real_of(*node, accepted));
+  for (const auto& node : elements(*node_, key, required, count, "numbers"))
+    values.push_back(real_of(*node, accepted));
   return values;
 }
 
@@ -230,7 +238,8 @@ std::string TomlTable::where(std::string_view key) const {
 }
 
 Error TomlTable::error(std::string_view key, const std::string& sentence) const {
-  return usage_error(where(key) + "`" + (key.empty() ? node_->path : child_path(*node_, key)) + "` " + sentence);
+  return usage_error(where(key) + "`" + (key.empty() ? node_->path : child_path(*node_, key)) + "` " +
+                     sentence);
 }
 
 TomlDocument TomlDocument::read_text(std::string_view text, const std::string& name) {
@@ -288,15 +297,19 @@ void TomlDocument::set(std::string_view dotted_path, std::string_view value, con
     const size_t dot = rest.find('.');
     const std::string_view name = rest.substr(0, dot);
     if (name.empty() || !std::all_of(name.begin(), name.end(), letter)) {
-      throw usage_error(origin + ": `" + printable(dotted_path) + "` is not a key; accepted are names joined by dots.");
+      throw usage_error(origin + ": `" + printable(dotted_path) +
+                        "` is not a key; accepted are names joined by dots.");
     }
-    if (table->kind != Kind::kTable) throw value_error(*table, "a table, to hold `" + std::string(dotted_path) + "`");
+    if (table->kind != Kind::kTable)
+      throw value_error(*table, "a table, to hold `" + std::string(dotted_path) + "`");
     const auto at = std::find_if(table->children.begin(), table->children.end(),
                                  [&](const auto& child) { return child->key == name; });
     if (dot == std::string_view::npos) {
       leaf->key = std::string(name);
-      if (at != table->children.end()) *at = leaf;
-      else table->children.push_back(leaf);
+      if (at != table->children.end())
+        *at = leaf;
+      else
+        table->children.push_back(leaf);
       return;
     }
     if (at == table->children.end()) {

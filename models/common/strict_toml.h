@@ -47,18 +47,21 @@ class TomlTable {
   /// A TOML integer; 4.0 is refused.
   int64_t integer(std::string_view key, IntegerRange accepted, std::optional<int64_t> otherwise = {}) const;
   /// A TOML float or integer, finite; NaN and infinities are refused.
-  double real(std::string_view key, RealRange accepted = kAnyReal, std::optional<double> otherwise = {}) const;
+  double real(std::string_view key, RealRange accepted = kAnyReal,
+              std::optional<double> otherwise = {}) const;
   std::string text(std::string_view key, std::optional<std::string> otherwise = {}) const;
   /// Index into `names` of the text that stands there.
   size_t choice(std::string_view key, std::span<const std::string_view> names,
                 std::optional<size_t> otherwise = {}) const;
   template <class E, size_t N>
-  E choice(std::string_view key, const Named<E> (&named)[N], std::optional<std::type_identity_t<E>> otherwise = {}) const;
+  E choice(std::string_view key, const Named<E> (&named)[N],
+           std::optional<std::type_identity_t<E>> otherwise = {}) const;
   /// True when the key is there and a text: for keys that take a text or a number.
   bool is_text(std::string_view key) const;
 
   /// Arrays; empty when the key is missing and `required` is false. `count` 0: any number.
-  std::vector<double> reals(std::string_view key, RealRange accepted, size_t count, bool required = true) const;
+  std::vector<double> reals(std::string_view key, RealRange accepted, size_t count,
+                            bool required = true) const;
   std::vector<int64_t> integers(std::string_view key, IntegerRange accepted, size_t count,
                                 bool required = true) const;
   std::vector<std::string> texts(std::string_view key, bool required = true) const;
@@ -109,7 +112,8 @@ class TomlDocument {
 };
 
 template <class E, size_t N>
-E TomlTable::choice(std::string_view key, const Named<E> (&named)[N], std::optional<std::type_identity_t<E>> otherwise) const {
+E TomlTable::choice(std::string_view key, const Named<E> (&named)[N],
+                    std::optional<std::type_identity_t<E>> otherwise) const {
   std::array<std::string_view, N> names;
   std::optional<size_t> fallback;
   for (size_t k = 0; k < N; ++k) {

@@ -27,8 +27,9 @@ void refuse_deep_keys(std::string_view text, const std::string& name) {
     const bool decimal = in_run == 1 && text[k] != '.' && text[end - 1] != '.';
     if (!decimal) dots += static_cast<int>(in_run);
     if (dots > kMostDots) {
-      throw usage_error(name + ":" + std::to_string(line) + ": the line has more than " + std::to_string(kMostDots) +
-                        " dots; keys are at most " + std::to_string(kDeepest) + " names deep.");
+      throw usage_error(name + ":" + std::to_string(line) + ": the line has more than " +
+                        std::to_string(kMostDots) + " dots; keys are at most " + std::to_string(kDeepest) +
+                        " names deep.");
     }
     k = std::max(end, k + 1);
   }
@@ -42,8 +43,8 @@ std::shared_ptr<Node> converted(const toml::node& from, const std::string& key, 
   node->line = static_cast<int>(from.source().begin.line);
   node->place = node->line > 0 ? name + ":" + std::to_string(node->line) : name;
   if (depth > kDeepest) {
-    throw usage_error(node->place + ": `" + printable(path) + "` is nested more than " + std::to_string(kDeepest) +
-                      " levels deep.");
+    throw usage_error(node->place + ": `" + printable(path) + "` is nested more than " +
+                      std::to_string(kDeepest) + " levels deep.");
   }
   if (const toml::table* table = from.as_table()) {
     node->kind = Kind::kTable;
@@ -89,20 +90,27 @@ std::shared_ptr<Node> parse_toml(std::string_view text, const std::string& name)
     root->known = true;
     return root;
   } catch (const toml::parse_error& error) {
-    throw usage_error(name + ":" + std::to_string(error.source().begin.line) + ": this is not TOML: " +
-                      printable(error.description(), 300) + ".");
+    throw usage_error(name + ":" + std::to_string(error.source().begin.line) +
+                      ": this is not TOML: " + printable(error.description(), 300) + ".");
   }
 }
 
 std::string description(const Node& node) {
   switch (node.kind) {
-    case Kind::kTable: return "a table";
-    case Kind::kArray: return "an array of " + std::to_string(node.children.size());
-    case Kind::kText: return "the text \"" + printable(node.text) + "\"";
-    case Kind::kInteger: return std::to_string(node.integer);
-    case Kind::kReal: return shortest_text(node.real);
-    case Kind::kBoolean: return node.boolean ? "true" : "false";
-    case Kind::kDate: break;
+    case Kind::kTable:
+      return "a table";
+    case Kind::kArray:
+      return "an array of " + std::to_string(node.children.size());
+    case Kind::kText:
+      return "the text \"" + printable(node.text) + "\"";
+    case Kind::kInteger:
+      return std::to_string(node.integer);
+    case Kind::kReal:
+      return shortest_text(node.real);
+    case Kind::kBoolean:
+      return node.boolean ? "true" : "false";
+    case Kind::kDate:
+      break;
   }
   return "a date or time";
 }

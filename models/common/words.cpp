@@ -16,7 +16,8 @@ size_t edit_distance(std::string_view a, std::string_view b) {
     row[0] = i;
     for (size_t j = 1; j <= b.size(); ++j) {
       row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) row[j] = std::min(row[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
     before = last;
     last = row;
@@ -30,7 +31,8 @@ std::string_view nearest_name(std::string_view found, std::span<const std::strin
   for (std::string_view name : names) {
     size_t distance = edit_distance(found, name);
     // "way" for "ways" and "l1.ways" for "height_l1.ways" are meant whatever their length.
-    if (found.size() >= 3 && (name.starts_with(found) || name.ends_with(found))) distance = std::min<size_t>(distance, 1);
+    if (found.size() >= 3 && (name.starts_with(found) || name.ends_with(found)))
+      distance = std::min<size_t>(distance, 1);
     if (distance < best_distance) {
       best_distance = distance;
       best = name;
