@@ -1,0 +1,148 @@
+#include "traces/heightmaps/image_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <new>
+
+#include "models/common/error.h"
+#include "traces/heightmaps/image_headers.h"
+
+namespace cuesta {
+namespace {
+
+std::string in_quotes(const std::string& path) { return "\"" + path + "\""; }
+
+/// What OpenImageIO says, as the end of a sentence: one line, without its own full stop.
+std::string one_line(std::string message) {
+  for (char& c : message) {
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+  }
+  while (!message.empty() && (message.back() == ' ' || message.back() == '.')) message.pop_back();
+  return message.empty() ? "no reason given" : message;
+}
+
+/// Runs what calls into OpenImageIO and its plugins, so that nothing but cuesta::Error leaves.
+template <typename Function>
+auto guarded(const std::string& path, Function function) {
+  try {
+    return function();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw Error(ExitCode::kResource, "The image " + in_quotes(path) + " does not fit into memory.");
+  } catch (const std::exception& fault) {
+    throw input_error("The image " + in_quotes(path) + " cannot be read: " + one_line(fault.what()) + ".");
+  }
+}
+
+}  // namespace
+
+ImageFile::ImageFile(const std::string& path) : path_(path) {
+  std::error_code fault;
+  auto status = std::filesystem::status(path, fault);
+  if (!std::filesystem::exists(status)) throw input_error("There is no image file " + in_quotes(path) + ".");
+  if (!std::filesystem::is_regular_file(status)) {
+    throw input_error(in_quotes(path) + " is not a file; an image file is expected.");
+  }
+  if (!std::ifstream(path, std::ios::binary)) {
+    throw input_error("The image file " + in_quotes(path) + " may not be read.");
+  }
+  if (std::filesystem::file_size(path, fault) == 0) {
+    throw input_error("The image file " + in_quotes(path) + " is empty (0 bytes).");
+  }
+  guarded(path_, [&] { open(); });
+}
+
+void ImageFile::open() {
+  OIIO::ImageSpec hints;
+  hints.attribute("oiio:UnassociatedAlpha", 1);  // else R, G and B come back multiplied by alpha
+  input_ = OIIO::ImageInput::open(path_, &hints);
+  if (!input_) {
+    std::string reason = one_line(OIIO::geterror());
+    bool unknown =
+        reason.find("format reader") != std::string::npos;  // OpenImageIO's words take three sentences
+    throw input_error("The image " + in_quotes(path_) +
+                      (unknown ? " is of no known format" : " cannot be opened: ") + (unknown ? "" : reason) +
+                      "; PNG, TIFF, EXR, TGA, BMP and JPEG are accepted.");
+  }
+  spec_ = input_->spec();
+  check_size();
+  std::string damage = damage_that_readers_hide(path_, format(), spec_.width, spec_.height);
+  if (!damage.empty()) throw input_error("The image " + in_quotes(path_) + " is damaged: " + damage + ".");
+  more_pictures_ = input_->seek_subimage(1, 0);
+  if (!input_->seek_subimage(0, 0)) {
+    throw input_error("The image " + in_quotes(path_) + " cannot be read: " + one_line(input_->geterror()) +
+                      ".");
+  }
+  input_->geterror();
+}
+
+void ImageFile::check_size() const {
+  std::string size = std::to_string(spec_.width) + " x " + std::to_string(spec_.height);
+  if (spec_.width < 1 || spec_.height < 1 || spec_.width > kMaxSide || spec_.height > kMaxSide) {
+    throw input_error("The image " + in_quotes(path_) + " is " + size + " texels; 1 to " +
+                      std::to_string(kMaxSide) + " on each side are accepted.");
+  }
+  if (spec_.depth > 1 || spec_.deep) {
+    throw input_error("The image " + in_quotes(path_) +
+                      " is a volume or holds deep samples; a flat picture is accepted.");
+  }
+  if (spec_.nchannels < 1 || spec_.nchannels > 1024) {
+    throw input_error("The image " + in_quotes(path_) + " has " + std::to_string(spec_.nchannels) +
+                      " channels; 1 to 1024 are accepted.");
+  }
+  double declared = static_cast<double>(spec_.image_bytes(true));
+  std::error_code fault;
+  double stored = static_cast<double>(std::filesystem::file_size(path_, fault));
+  if (declared > 64.0 * 1024 * 1024 && declared > kMaxRatio * stored) {
+    throw input_error("The image " + in_quotes(path_) + " declares " + size + " texels of " +
+                      std::to_string(spec_.pixel_bytes(true)) + " bytes, which its " +
+                      std::to_string(static_cast<uint64_t>(stored)) + " bytes cannot hold.");
+  }
+}
+
+std::string ImageFile::format() const { return input_->format_name(); }
+
+OIIO::TypeDesc::BASETYPE ImageFile::type(int channel) const {
+  return static_cast<OIIO::TypeDesc::BASETYPE>(spec_.channelformat(channel).basetype);
+}
+
+std::vector<std::string> ImageFile::notes() const {
+  std::vector<std::string> notes;
+  if (has_palette(path_, format())) {
+    notes.push_back("The picture has a palette; the colours that it stands for are read, not the indices.");
+  }
+  if (format() == "jpeg") notes.push_back("JPEG is lossy: the heights are not those that were saved.");
+  if (more_pictures_) notes.push_back("The file holds further pictures or levels; the first is read.");
+  if (spec_.full_width != spec_.width || spec_.full_height != spec_.height) {
+    notes.push_back("The file's display window is " + std::to_string(spec_.full_width) + " x " +
+                    std::to_string(spec_.full_height) + "; the data window is read.");
+  }
+  return notes;
+}
+
+int ImageFile::strip_rows() const { return spec_.tile_height > 0 ? spec_.tile_height : 64; }
+
+void ImageFile::read_rows(int first, int last, int channel, int count, OIIO::TypeDesc::BASETYPE type,
+                          void* target) {
+  guarded(path_, [&] {
+    bool ok = false;
+    if (spec_.tile_width > 0) {
+      ok = input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, spec_.y + first, spec_.y + last, spec_.z,
+                              spec_.z + 1, channel, channel + count, type, target);
+    } else {
+      ok = input_->read_scanlines(0, 0, spec_.y + first, spec_.y + last, spec_.z, channel, channel + count,
+                                  type, target);
+    }
+    std::string fault = input_->geterror();
+    if (!ok) {
+      throw input_error("The image " + in_quotes(path_) + " is damaged or cut off in rows " +
+                        std::to_string(first) + " to " + std::to_string(last - 1) + ": " + one_line(fault) +
+                        ".");
+    }
+  });
+}
+
+}  // namespace cuesta

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <OpenImageIO/imageio.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace cuesta {
+
+/// An image opened through OpenImageIO, read in strips of rows so that only what is wanted is ever in memory.
+/// The constructor makes the checks that need no pixels: the file exists, is not empty, its format is known, and the
+/// size that its header declares is accepted and believable. Everything throws cuesta::Error (input).
+class ImageFile {
+ public:
+  static constexpr int kMaxSide = 16384;  ///< texels
+  /// No format read here packs more than about 1000 to 1 (deflate 1032 to 1); above 64 MiB a header that declares more
+  /// than this ratio is taken as damaged instead of being allocated.
+  static constexpr double kMaxRatio = 4096;
+
+  explicit ImageFile(const std::string& path);
+
+  const std::string& path() const { return path_; }
+  std::string format() const;
+  int width() const { return spec_.width; }
+  int height() const { return spec_.height; }
+  const std::vector<std::string>& channels() const { return spec_.channelnames; }
+  int alpha_channel() const { return spec_.alpha_channel; }  ///< -1: none
+  OIIO::TypeDesc::BASETYPE type(int channel) const;
+  std::vector<std::string> notes() const;  ///< palette, lossy, further pictures in the file
+
+  /// Rows that the file gives at once, at least 1.
+  int strip_rows() const;
+  /// Rows [first, last) of channels [channel, channel + count), interleaved, in `type`. `first` is a multiple
+  /// of strip_rows(), `last` another or height().
+  void read_rows(int first, int last, int channel, int count, OIIO::TypeDesc::BASETYPE type, void* target);
+
+ private:
+  void open();
+  void check_size() const;
+
+  std::string path_;
+  std::unique_ptr<OIIO::ImageInput> input_;
+  OIIO::ImageSpec spec_;
+  bool more_pictures_ = false;
+};
+
+}  // namespace cuesta

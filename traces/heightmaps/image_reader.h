@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "models/heightmap/height_grid.h"
+
+namespace cuesta {
+
+/// How the numbers in a file become heights of 0 to full scale.
+enum class Normalisation {
+  kAuto,  ///< unsigned integers: kNone; half, float, double: 0 to 1 when all lie inside, else kMinMax; signed: kMinMax
+  kNone,    ///< integers: 0 to the type's largest number; half, float, double: 0 to 1, an error outside
+  kMinMax,  ///< the smallest number in the channel to the largest; a flat channel becomes all zero
+  kRange,  ///< `low` to `high` in the file's own units; what lies outside is clamped, and counted in the notes
+};
+
+/// Which heights to read, and how.
+struct HeightSource {
+  std::string path;
+  /// A channel's name ("A", "R", "height"; case does not matter; "alpha" is whatever channel is marked so) or its index
+  /// from 0. Empty: the only channel; else the one called height or displacement; of two, the one that is not alpha;
+  /// R where R = G = B in every pixel; alpha where it is not constant; else an error.
+  std::string channel;
+  bool invert = false;  ///< the file holds depth: full scale - value
+  int bits = 0;         ///< 1 to 16 bits of a height; 0: 8 for 8-bit integers, else 16
+  Normalisation normalisation = Normalisation::kAuto;
+  double low = 0;   ///< kRange: becomes 0
+  double high = 1;  ///< kRange: becomes full scale; above `low`
+};
+
+/// What was found in the file and what was made of it.
+struct HeightStatement {
+  std::string format;  ///< OpenImageIO's name: "png", "tiff", "openexr", "targa", "bmp", "jpeg"
+  int width = 0;       ///< texels
+  int height = 0;      ///< texels
+  std::vector<std::string> channels;  ///< all there are
+  std::string channel;                ///< the one read
+  std::string channel_reason;         ///< why that one
+  std::string type;                   ///< "uint8", "half" ...
+  double minimum = 0;                 ///< in the file's units, before inversion
+  double maximum = 0;
+  int distinct_levels = 0;         ///< different heights in the grid
+  std::string normalisation;       ///< "0 .. 255 becomes 0 .. 255"
+  std::vector<std::string> notes;  ///< palette, lossy format, clamped heights, inversion: one sentence each
+};
+
+struct LoadedHeights {
+  HeightGrid grid;
+  HeightStatement statement;
+};
+
+/// Reads one channel of an image as heights; row 0 of the picture is row j = 0. value -> round((value - low) /
+/// (high - low) * full scale), halves up. Alpha never multiplies the colours. PNG, TIFF, EXR, TGA, BMP, JPEG
+/// and whatever else OpenImageIO reads; the first picture of a file with several.
+/// Throws input_error for a file that is missing, empty, truncated, of an unknown format, larger than 16384 on a side,
+/// or declared so much larger than its bytes that it cannot be whole; for an unknown or undecided channel;
+/// for NaN or infinity (with the pixel); for a NODATA marker (-9999, -32768, -3.4e38 ...) under kMinMax.
+/// Throws usage_error for bits or a range that make no sense.
+LoadedHeights load_heights(const HeightSource& source);
+
+}  // namespace cuesta

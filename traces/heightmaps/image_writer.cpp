@@ -1,0 +1,73 @@
+#include "traces/heightmaps/image_writer.h"
+
+#include <OpenImageIO/imageio.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "models/common/error.h"
+
+namespace cuesta {
+namespace {
+
+std::string format_of(const std::string& path) {
+  std::string ending = std::filesystem::path(path).extension().string();
+  if (ending == ".png") return "png";
+  if (ending == ".tif" || ending == ".tiff") return "tiff";
+  throw usage_error("Heights cannot be written to \"" + path +
+                    "\"; a name that ends in .png, .tif or .tiff is accepted.");
+}
+
+/// Writes everything to `path`; empty, or what went wrong.
+std::string write_rows(const std::string& path, const std::string& format, const HeightGrid& grid) {
+  bool small = grid.bits <= 8;
+  uint32_t white = small ? 255 : 65535;
+  auto output = OIIO::ImageOutput::create(format);
+  if (!output) return OIIO::geterror();
+  OIIO::ImageSpec spec(grid.width, grid.height, 1, small ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
+  if (!output->open(path, spec)) return output->geterror() + " ";
+  std::vector<uint16_t> wide(static_cast<size_t>(grid.width));
+  std::vector<uint8_t> narrow(static_cast<size_t>(grid.width));
+  uint32_t full_scale = grid.full_scale();
+  for (int j = 0; j < grid.height; ++j) {
+    for (int i = 0; i < grid.width; ++i) {
+      uint32_t value = (2 * white * grid.at(i, j) + full_scale) / (2 * full_scale);
+      wide[i] = static_cast<uint16_t>(value);
+      narrow[i] = static_cast<uint8_t>(value);
+    }
+    bool ok = small ? output->write_scanline(j, 0, OIIO::TypeDesc::UINT8, narrow.data())
+                    : output->write_scanline(j, 0, OIIO::TypeDesc::UINT16, wide.data());
+    if (!ok) return output->geterror() + " ";
+  }
+  return output->close() ? "" : output->geterror() + " ";
+}
+
+}  // namespace
+
+void write_height_image(const std::string& path, const HeightGrid& grid, bool overwrite) {
+  std::string format = format_of(path);
+  std::error_code fault;
+  if (!overwrite && std::filesystem::exists(path, fault)) {
+    throw usage_error("There is a file \"" + path +
+                      "\" already; another name, or leave to replace it, is needed.");
+  }
+  std::string partial = path + ".partial." + std::to_string(getpid());
+  std::string reason;
+  try {
+    reason = write_rows(partial, format, grid);
+  } catch (const std::exception& error) {
+    reason = std::string(error.what()) + " ";
+  }
+  if (reason.empty()) {
+    std::filesystem::rename(partial, path, fault);
+    if (fault) reason = fault.message();
+  }
+  if (!reason.empty()) {
+    std::filesystem::remove(partial, fault);
+    throw Error(ExitCode::kResource, "The image \"" + path + "\" cannot be written: " + reason + ".");
+  }
+}
+
+}  // namespace cuesta
