@@ -24,7 +24,8 @@ std::string fault_of(const TracedRay& ray, int width, int height) {
     return "its kind is " + std::to_string(static_cast<int>(ray.kind)) + ", and 0 to 3 are accepted";
   }
   if (ray.fixed_axis > FixedAxis::kZ) {
-    return "its fixed axis is " + std::to_string(static_cast<int>(ray.fixed_axis)) + ", and 0 to 3 are accepted";
+    return "its fixed axis is " + std::to_string(static_cast<int>(ray.fixed_axis)) +
+           ", and 0 to 3 are accepted";
   }
   if (ray.pixel_x >= static_cast<uint32_t>(width) || ray.pixel_y >= static_cast<uint32_t>(height)) {
     return "its pixel (" + std::to_string(ray.pixel_x) + ", " + std::to_string(ray.pixel_y) +
@@ -63,7 +64,9 @@ std::string_view name_of(FixedAxis axis) {
 }
 
 bool identical(const TracedRay& a, const TracedRay& b) {
-  const auto same = [](double x, double y) { return std::bit_cast<uint64_t>(x) == std::bit_cast<uint64_t>(y); };
+  const auto same = [](double x, double y) {
+    return std::bit_cast<uint64_t>(x) == std::bit_cast<uint64_t>(y);
+  };
   for (int axis = 0; axis < 3; ++axis) {
     if (!same(a.origin[axis], b.origin[axis]) || !same(a.direction[axis], b.direction[axis])) return false;
   }

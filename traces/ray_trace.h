@@ -11,7 +11,7 @@ namespace cuesta {
 
 /// Rays for a grid of pixels; the unit of work that a renderer hands to the machine.
 struct RayTrace {
-  int width = 0;   ///< pixels of the whole frame, 1 to 65536, even where the rays cover a part of it
+  int width = 0;  ///< pixels of the whole frame, 1 to 65536, even where the rays cover a part of it
   int height = 0;
   std::vector<TracedRay> rays;  ///< any number, in any order, several or none per pixel; ids differ
 };
@@ -30,8 +30,8 @@ std::string fault_of_grid(uint64_t width, uint64_t height);
 /// Throws input_error naming `where` and an id that two rays share.
 void require_distinct_ids(std::vector<uint64_t> ids, const std::string& where);
 
-std::string_view name_of(RayKind kind);   ///< primary, shadow, reflection, refraction
-std::string_view name_of(FixedAxis axis); ///< none, x, y, z
+std::string_view name_of(RayKind kind);    ///< primary, shadow, reflection, refraction
+std::string_view name_of(FixedAxis axis);  ///< none, x, y, z
 
 /// Same bits in every field: tells -0.0 from 0.0.
 bool identical(const TracedRay& a, const TracedRay& b);

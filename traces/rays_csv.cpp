@@ -62,7 +62,8 @@ class CsvReader {
   void read_title(RayTrace& trace) {
     uint64_t width = 0, height = 0;
     if (!next_line() || !read_title_numbers(width, height)) {
-      fail("found `" + printable(line_) + "`, and the first line must read `# cuesta rays 1, width W, height H`");
+      fail("found `" + printable(line_) +
+           "`, and the first line must read `# cuesta rays 1, width W, height H`");
     }
     const std::string fault = fault_of_grid(width, height);
     if (!fault.empty()) fail("it states " + fault);
@@ -99,8 +100,8 @@ class CsvReader {
     split([&](size_t index, std::string_view text) {
       const auto found = std::find(names.begin(), names.end(), text);
       if (found == names.end()) {
-        fail("column " + std::to_string(index + 1) + " is named `" + printable(text) + "`; accepted names: " +
-             joined(names) + did_you_mean(text, names));
+        fail("column " + std::to_string(index + 1) + " is named `" + printable(text) +
+             "`; accepted names: " + joined(names) + did_you_mean(text, names));
       }
       const RayColumn* column = &ray_columns()[static_cast<size_t>(found - names.begin())];
       if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) {
@@ -119,7 +120,8 @@ class CsvReader {
     TracedRay ray;
     const size_t fields = split([&](size_t index, std::string_view text) {
       if (index >= columns_.size() || columns_[index]->parse(text, ray)) return;
-      fail_in_column(index, "holds `" + printable(text) + "`; accepted: " + std::string(columns_[index]->accepted));
+      fail_in_column(index,
+                     "holds `" + printable(text) + "`; accepted: " + std::string(columns_[index]->accepted));
     });
     if (fields != columns_.size()) {
       fail("the line has " + std::to_string(fields) + " fields, and line 2 names " +
@@ -182,7 +184,8 @@ void write_rays_csv(const std::string& path, const RayTrace& trace) {
   file.close();
   if (!file || std::rename(temporary.c_str(), path.c_str()) != 0) {
     std::remove(temporary.c_str());
-    throw Error(ExitCode::kResource, "Cannot write " + path + ": the file could not be created and completed; is "
+    throw Error(ExitCode::kResource, "Cannot write " + path +
+                                         ": the file could not be created and completed; is "
                                          "the folder there and writable, the disk full?");
   }
 }

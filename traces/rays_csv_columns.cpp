@@ -28,9 +28,10 @@ bool parse_number(std::string_view text, T& value) {
 /// Get is a captureless lambda from a ray to a reference to one of its fields.
 template <auto Get>
 constexpr RayColumn number_column(std::string_view name, std::string_view accepted, bool required = false) {
-  return {name, required, accepted,
-          [](const TracedRay& ray, std::string& text) { append_number(Get(const_cast<TracedRay&>(ray)), text); },
-          [](std::string_view text, TracedRay& ray) { return parse_number(text, Get(ray)); }};
+  return {
+      name, required, accepted,
+      [](const TracedRay& ray, std::string& text) { append_number(Get(const_cast<TracedRay&>(ray)), text); },
+      [](std::string_view text, TracedRay& ray) { return parse_number(text, Get(ray)); }};
 }
 
 template <auto Get, int Count>
@@ -52,24 +53,31 @@ constexpr std::string_view kFinite = "a finite number";
 constexpr std::string_view kTime = "a number >= 0, such as 0.5";
 constexpr std::string_view kCount = "an integer from 0 to 4294967295";
 
-constexpr RayColumn kColumns[] = {
-    number_column<[](TracedRay& r) -> auto& { return r.id; }>("id", "an integer from 0 to 2^64 - 1", true),
-    number_column<[](TracedRay& r) -> auto& { return r.origin[0]; }>("origin_u", kFinite, true),
-    number_column<[](TracedRay& r) -> auto& { return r.origin[1]; }>("origin_v", kFinite, true),
-    number_column<[](TracedRay& r) -> auto& { return r.origin[2]; }>("origin_z", kFinite, true),
-    number_column<[](TracedRay& r) -> auto& { return r.direction[0]; }>("direction_u", kFinite, true),
-    number_column<[](TracedRay& r) -> auto& { return r.direction[1]; }>("direction_v", kFinite, true),
-    number_column<[](TracedRay& r) -> auto& { return r.direction[2]; }>("direction_z", kFinite, true),
-    number_column<[](TracedRay& r) -> auto& { return r.t_min; }>("t_min", kTime),
-    number_column<[](TracedRay& r) -> auto& { return r.t_max; }>("t_max", "a number >= 0, or inf"),
-    number_column<[](TracedRay& r) -> auto& { return r.pixel_x; }>("pixel_x", kCount),
-    number_column<[](TracedRay& r) -> auto& { return r.pixel_y; }>("pixel_y", kCount),
-    name_column<[](TracedRay& r) -> auto& { return r.kind; }, 4>("kind",
-                                                                  "primary, shadow, reflection or refraction"),
-    name_column<[](TracedRay& r) -> auto& { return r.fixed_axis; }, 4>("fixed_axis", "none, x, y or z"),
-    number_column<[](TracedRay& r) -> auto& { return r.fixed_coordinate; }>("fixed_coordinate",
-                                                                            "an integer of 32 bits and a sign"),
-    number_column<[](TracedRay& r) -> auto& { return r.light; }>("light", "an integer from 0 to 65535"),
+constexpr RayColumn kColumns[] = {number_column < [](TracedRay & r) -> auto& {return r.id;
+}  // namespace
+> ("id", "an integer from 0 to 2^64 - 1", true), number_column < [](TracedRay& r) -> auto& {
+  return r.origin[0];
+}
+> ("origin_u", kFinite, true), number_column < [](TracedRay& r) -> auto& { return r.origin[1]; }
+> ("origin_v", kFinite, true), number_column < [](TracedRay& r) -> auto& { return r.origin[2]; }
+> ("origin_z", kFinite, true), number_column < [](TracedRay& r) -> auto& { return r.direction[0]; }
+> ("direction_u", kFinite, true), number_column < [](TracedRay& r) -> auto& { return r.direction[1]; }
+> ("direction_v", kFinite, true), number_column < [](TracedRay& r) -> auto& { return r.direction[2]; }
+> ("direction_z", kFinite, true), number_column < [](TracedRay& r) -> auto& { return r.t_min; }
+> ("t_min", kTime), number_column < [](TracedRay& r) -> auto& { return r.t_max; }
+> ("t_max", "a number >= 0, or inf"), number_column < [](TracedRay& r) -> auto& { return r.pixel_x; }
+> ("pixel_x", kCount), number_column < [](TracedRay& r) -> auto& { return r.pixel_y; }
+> ("pixel_y", kCount), name_column < [](TracedRay& r) -> auto& { return r.kind; }
+, 4 > ("kind", "primary, shadow, reflection or refraction"), name_column < [](TracedRay& r) -> auto& {
+  return r.fixed_axis;
+}
+, 4 > ("fixed_axis", "none, x, y or z"), number_column < [](TracedRay& r) -> auto& {
+  return r.fixed_coordinate;
+}
+> ("fixed_coordinate", "an integer of 32 bits and a sign"), number_column < [](TracedRay& r) -> auto& {
+  return r.light;
+}
+> ("light", "an integer from 0 to 65535"),
     {"parent", false, "the id of a ray, or none",
      [](const TracedRay& ray, std::string& text) {
        if (ray.parent == kNoParent) {
@@ -82,11 +90,14 @@ constexpr RayColumn kColumns[] = {
        ray.parent = kNoParent;
        return text == "none" || parse_number(text, ray.parent);
      }},
-    number_column<[](TracedRay& r) -> auto& { return r.gradient[0]; }>("du_dpx", kFinite),
-    number_column<[](TracedRay& r) -> auto& { return r.gradient[1]; }>("dv_dpx", kFinite),
-    number_column<[](TracedRay& r) -> auto& { return r.gradient[2]; }>("du_dpy", kFinite),
-    number_column<[](TracedRay& r) -> auto& { return r.gradient[3]; }>("dv_dpy", kFinite),
-};
+    number_column < [](TracedRay& r) -> auto& {
+  return r.gradient[0];
+}
+> ("du_dpx", kFinite), number_column < [](TracedRay& r) -> auto& { return r.gradient[1]; }
+> ("dv_dpx", kFinite), number_column < [](TracedRay& r) -> auto& { return r.gradient[2]; }
+> ("du_dpy", kFinite), number_column < [](TracedRay& r) -> auto& { return r.gradient[3]; }
+> ("dv_dpy", kFinite),
+};  // namespace cuesta
 
 }  // namespace
 

@@ -18,8 +18,8 @@ inline constexpr uint32_t kVersion = 1;
 inline constexpr size_t kHeaderBytes = 64;
 inline constexpr size_t kChunkHeaderBytes = 40;
 inline constexpr size_t kRecordBytes = 112;
-inline constexpr uint32_t kChunkRays = 4096;        ///< what our writer uses
-inline constexpr uint32_t kMostChunkRays = 65536;   ///< what a reader accepts
+inline constexpr uint32_t kChunkRays = 4096;       ///< what our writer uses
+inline constexpr uint32_t kMostChunkRays = 65536;  ///< what a reader accepts
 
 struct FileHeader {
   uint32_t version = kVersion;
@@ -27,7 +27,7 @@ struct FileHeader {
   uint32_t record_bytes = kRecordBytes;
   uint32_t chunk_rays = kChunkRays;  ///< records in each chunk but the last
   uint64_t ray_count = 0;
-  uint64_t chunk_count = 0;          ///< ceil(ray_count / chunk_rays)
+  uint64_t chunk_count = 0;  ///< ceil(ray_count / chunk_rays)
   uint32_t width = 0;
   uint32_t height = 0;
 };
@@ -35,8 +35,8 @@ struct FileHeader {
 struct ChunkHeader {
   uint32_t rays = 0;
   uint64_t index = 0;
-  uint32_t stored_bytes = 0;    ///< of the zstd frame
-  uint64_t stored_checksum = 0; ///< XXH64, seed 0, of the zstd frame
+  uint32_t stored_bytes = 0;     ///< of the zstd frame
+  uint64_t stored_checksum = 0;  ///< XXH64, seed 0, of the zstd frame
 };
 
 using HeaderBytes = std::array<uint8_t, kHeaderBytes>;

@@ -54,7 +54,8 @@ RayReader::RayReader(const std::string& path) : path_(path) {
          std::to_string(header.record_bytes) + " per ray; version 1 has 64 and 112");
   }
   if (header.chunk_rays < 1 || header.chunk_rays > kMostChunkRays) {
-    fail("its header states " + std::to_string(header.chunk_rays) + " rays per chunk; 1 to 65536 are accepted");
+    fail("its header states " + std::to_string(header.chunk_rays) +
+         " rays per chunk; 1 to 65536 are accepted");
   }
   const std::string fault = fault_of_grid(header.width, header.height);
   if (!fault.empty()) fail("its header states " + fault);
@@ -100,7 +101,8 @@ bool RayReader::next_chunk(std::vector<TracedRay>& rays) {
                   std::to_string(file_bytes_ - position_) + " are left");
   }
   if (header.stored_bytes > 2 * ZSTD_compressBound(record_bytes)) {
-    fail_in_chunk("states " + std::to_string(header.stored_bytes) + " bytes, far more than its rays can take");
+    fail_in_chunk("states " + std::to_string(header.stored_bytes) +
+                  " bytes, far more than its rays can take");
   }
   stored_.resize(header.stored_bytes);
   read(stored_.data(), stored_.size());

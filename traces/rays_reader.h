@@ -51,7 +51,7 @@ struct RaySummary {
   uint64_t rays = 0, chunks = 0, file_bytes = 0;
   uint64_t of_kind[4] = {0, 0, 0, 0};  ///< by RayKind
   uint64_t descending = 0, horizontal = 0, rising = 0;
-  uint64_t pixels = 0;                 ///< pixels that at least one ray belongs to
+  uint64_t pixels = 0;                             ///< pixels that at least one ray belongs to
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  ///< bounds of the origins; zeros without rays
 };
 

@@ -23,8 +23,9 @@ class Summing {
     }
     ++summary_.rays;
     ++summary_.of_kind[static_cast<int>(ray.kind)];
-    ++(ray.direction[2] < 0 ? summary_.descending
-                            : ray.direction[2] > 0 ? summary_.rising : summary_.horizontal);
+    ++(ray.direction[2] < 0   ? summary_.descending
+       : ray.direction[2] > 0 ? summary_.rising
+                              : summary_.horizontal);
     auto seen = seen_[static_cast<size_t>(ray.pixel_y) * static_cast<size_t>(width_) + ray.pixel_x];
     if (!seen) ++summary_.pixels;
     seen = true;

@@ -13,14 +13,12 @@ namespace cuesta {
 using namespace rays_format;
 
 namespace {
-constexpr int kCompressionLevel = 3;  // zstd's own default: level 9 saves 4 % more and takes five times as long
+constexpr int kCompressionLevel =
+    3;  // zstd's own default: level 9 saves 4 % more and takes five times as long
 }
 
 RayWriter::RayWriter(const std::string& path, int width, int height)
-    : path_(path),
-      temporary_(path + ".partial-" + std::to_string(getpid())),
-      width_(width),
-      height_(height) {
+    : path_(path), temporary_(path + ".partial-" + std::to_string(getpid())), width_(width), height_(height) {
   const std::string fault = fault_of_grid(static_cast<uint64_t>(width), static_cast<uint64_t>(height));
   if (width < 1 || height < 1 || !fault.empty()) {
     throw input_error("Cannot write " + path + ": " + fault + ".");
@@ -64,8 +62,8 @@ void RayWriter::write_chunk() {
   const size_t size =
       ZSTD_compress(stored_.data(), stored_.size(), records_.data(), records_.size(), kCompressionLevel);
   if (ZSTD_isError(size)) {
-    throw Error(ExitCode::kResource,
-                "Cannot write " + path_ + ": zstd could not compress a chunk: " + ZSTD_getErrorName(size) + ".");
+    throw Error(ExitCode::kResource, "Cannot write " + path_ + ": zstd could not compress a chunk: " +
+                                         ZSTD_getErrorName(size) + ".");
   }
   ChunkHeader header;
   header.rays = static_cast<uint32_t>(records_.size() / kRecordBytes);

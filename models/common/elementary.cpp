@@ -53,12 +53,11 @@ double kernel_sin(double x, double low) {
 /// fdlibm's __kernel_cos.
 double kernel_cos(double x, double low) {
   const double z = x * x;
-  const double r =
-      z * (4.16666666666666019037e-02 +
-           z * (-1.38888888888741095749e-03 +
-                z * (2.48015872894767294178e-05 +
-                     z * (-2.75573143513906633035e-07 +
-                          z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)))));
+  const double r = z * (4.16666666666666019037e-02 +
+                        z * (-1.38888888888741095749e-03 +
+                             z * (2.48015872894767294178e-05 +
+                                  z * (-2.75573143513906633035e-07 +
+                                       z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)))));
   const double half = 0.5 * z;
   const double w = 1.0 - half;
   return w + (((1.0 - w) - half) + (z * r - x * low));
@@ -98,7 +97,8 @@ double exp2(double x) {
   if (x < -1075) return 0;
   const int n = static_cast<int>(x + (x < 0 ? -0.5 : 0.5));
   const double y = (x - n) * std::numbers::ln2;
-  double sum = 0;  // Taylor series of e^y - 1 - y over y^2, |y| <= 0.347: the first term left out is 2^-58 of 1
+  double sum =
+      0;  // Taylor series of e^y - 1 - y over y^2, |y| <= 0.347: the first term left out is 2^-58 of 1
   constexpr double kInverseFactorial[] = {1.0 / 2,       1.0 / 6,        1.0 / 24,        1.0 / 120,
                                           1.0 / 720,     1.0 / 5040,     1.0 / 40320,     1.0 / 362880,
                                           1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};

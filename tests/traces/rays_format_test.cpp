@@ -29,9 +29,10 @@ std::string sealed(std::string header) {
 
 std::string file_header(uint32_t version, uint64_t chunk_rays, uint64_t rays, uint64_t chunks, uint64_t width,
                         uint64_t height) {
-  return sealed("\x89RAYS\r\n\x1a" + little_endian(version, 4) + little_endian(64, 4) + little_endian(112, 4) +
-                little_endian(chunk_rays, 4) + little_endian(rays, 8) + little_endian(chunks, 8) +
-                little_endian(width, 4) + little_endian(height, 4) + little_endian(0, 8));
+  return sealed("\x89RAYS\r\n\x1a" + little_endian(version, 4) + little_endian(64, 4) +
+                little_endian(112, 4) + little_endian(chunk_rays, 4) + little_endian(rays, 8) +
+                little_endian(chunks, 8) + little_endian(width, 4) + little_endian(height, 4) +
+                little_endian(0, 8));
 }
 
 std::string chunk(uint64_t index, const std::string& records) {
@@ -48,10 +49,10 @@ std::string f64(double value) { return little_endian(std::bit_cast<uint64_t>(val
 std::string f32(float value) { return little_endian(std::bit_cast<uint32_t>(value), 4); }
 
 std::string record(uint64_t id, double origin_u = 0.25, double direction_z = -1, double t_min = 0.125) {
-  return little_endian(id, 8) + f64(origin_u) + f64(-2) + f64(1) + f64(0) + f64(0) + f64(direction_z) + f64(t_min) +
-         f64(8) + little_endian(41, 8) + little_endian(3, 4) + little_endian(1, 4) + little_endian(-7ull, 4) +
-         f32(0.5f) + f32(1.5f) + f32(-2.5f) + f32(3.5f) + little_endian(513, 2) + little_endian(2, 1) +
-         little_endian(3, 1);
+  return little_endian(id, 8) + f64(origin_u) + f64(-2) + f64(1) + f64(0) + f64(0) + f64(direction_z) +
+         f64(t_min) + f64(8) + little_endian(41, 8) + little_endian(3, 4) + little_endian(1, 4) +
+         little_endian(-7ull, 4) + f32(0.5f) + f32(1.5f) + f32(-2.5f) + f32(3.5f) + little_endian(513, 2) +
+         little_endian(2, 1) + little_endian(3, 1);
 }
 
 TEST(RaysFormat, ReaderTakesAFileBuiltFromTheDocumentedTables) {
@@ -127,7 +128,8 @@ TEST(RaysFormat, EveryTruncationIsAnError) {
   for (size_t size = 0; size < good.size(); ++size) {
     write_bytes(path, good.substr(0, size));
     const std::string sentence = sentence_of(ExitCode::kInput, [&] { read_rays(path); });
-    EXPECT_TRUE(size < kHeader + 2 * kChunkHeader || sentence.find("chunk ") != std::string::npos) << sentence;
+    EXPECT_TRUE(size < kHeader + 2 * kChunkHeader || sentence.find("chunk ") != std::string::npos)
+        << sentence;
   }
 }
 
@@ -156,15 +158,19 @@ TEST(RaysFormat, DamageIsNamedByChunkAndRay) {
   expect(sentence(header + first + first), "chunk 1 of 2 is out of place");
   expect(sentence(header + first + chunk(1, record(8) + record(6))), "chunk 1 of 2 states 2 rays");
   expect(sentence(header + first + chunk(1, record(7))), "id 7");
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
-  expect(sentence(header + first + chunk(1, record(8, nan))), "chunk 1 of 2 holds a damaged ray, ray 2 (id 8)");
-  expect(sentence(header + chunk(0, record(7) + record(9, infinity))), "chunk 0 of 2 holds a damaged ray, ray 1");
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  expect(sentence(header + first + chunk(1, record(8, nan))),
+         "chunk 1 of 2 holds a damaged ray, ray 2 (id 8)");
+  expect(sentence(header + chunk(0, record(7) + record(9, infinity))),
+         "chunk 0 of 2 holds a damaged ray, ray 1");
   expect(sentence(header + first + chunk(1, record(8, 0, 0))), "its direction is zero");
   expect(sentence(header + first + chunk(1, record(8, 0, -infinity))), "direction's z");
   expect(sentence(header + first + chunk(1, record(8, 0, -1, -1))), "t_min");
   EXPECT_NE(sentence_of(ExitCode::kInput, [&] { read_rays(folder.file("missing")); }).find("no such file"),
             std::string::npos);
-  EXPECT_NE(sentence_of(ExitCode::kInput, [&] { read_rays(folder.file("")); }).find("regular"), std::string::npos);
+  EXPECT_NE(sentence_of(ExitCode::kInput, [&] { read_rays(folder.file("")); }).find("regular"),
+            std::string::npos);
 }
 
 TEST(RaysFormat, AZstdFrameOfTheWrongLengthIsAnError) {

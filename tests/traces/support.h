@@ -64,7 +64,7 @@ std::string sentence_of(ExitCode code, const Act& act) {
 /// Any finite double, subnormals and zeros of both signs included.
 inline double any_double(Random& random) {
   for (;;) {
-    const double value = std::bit_cast<double>(random.chance(0.1) ? random.next() & 0x800FFFFFFFFFFFFFull
+    const double value = std::bit_cast<double>(random.chance(0.1)   ? random.next() & 0x800FFFFFFFFFFFFFull
                                                : random.chance(0.1) ? random.next() & (1ull << 63)
                                                                     : random.next());
     if (value - value == 0) return value;

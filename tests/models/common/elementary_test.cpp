@@ -58,7 +58,8 @@ TEST(Elementary, Exp2AndLog2AreWithin1e15OfLongDouble) {
   for (int n = 0; n < 300000; ++n) {
     const double x = (2 * random.unit() - 1) * (n % 2 ? 1.0 : 1022.0);
     ASSERT_LT(relative_error(elementary::exp2(x), std::exp2(static_cast<long double>(x))), 1e-15) << x;
-    const double y = n % 2 ? 0.5 + 2 * random.unit() : std::ldexp(1 + random.unit(), int(random.between(-1074, 1022)));
+    const double y =
+        n % 2 ? 0.5 + 2 * random.unit() : std::ldexp(1 + random.unit(), int(random.between(-1074, 1022)));
     ASSERT_LT(relative_error(elementary::log2(y), std::log2(static_cast<long double>(y))), 1e-15) << y;
   }
 }

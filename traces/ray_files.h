@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "traces/ray_trace.h"
+
+namespace cuesta {
+
+/// Whether a file name ends in .csv, in any case: such a file holds the text form, every other one the binary.
+bool is_csv_name(const std::string& path);
+
+/// read_rays_csv for a .csv name, else read_rays.
+RayTrace read_ray_file(const std::string& path);
+/// write_rays_csv for a .csv name, else write_rays.
+void write_ray_file(const std::string& path, const RayTrace& trace);
+
+}  // namespace cuesta
