@@ -4,7 +4,7 @@ find_package(Threads REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)   # OpenSSL::Crypto (SHA-256)
 find_package(zstd REQUIRED CONFIG)                 # zstd::libzstd_shared
 pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET GLOBAL libxxhash)  # PkgConfig::xxhash
-find_package(tomlplusplus REQUIRED CONFIG)         # tomlplusplus::tomlplusplus
+find_package(tomlplusplus REQUIRED CONFIG)         # headers alone, without its target
 find_package(nlohmann_json REQUIRED CONFIG)        # nlohmann_json::nlohmann_json
 find_package(CLI11 REQUIRED CONFIG)                # CLI11::CLI11
 find_package(fmt REQUIRED CONFIG)                  # fmt::fmt
