@@ -1,13 +1,18 @@
-// The only file that compiles toml++.
-#define TOML_HEADER_ONLY 1
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
-
 #include <algorithm>
+#include <stdexcept>
 
 #include "models/common/error.h"
 #include "models/common/strict_toml_node.h"
 #include "models/common/words.h"
+
+// The only file that compiles toml++ (3.3.0). Broken files reach some of its assertions, as by a table named [.];
+// with NDEBUG it would take them for granted and go on. Here they are errors like any other.
+[[noreturn]] static void toml_assertion_failed() { throw std::logic_error("malformed"); }
+#undef NDEBUG
+#define TOML_ASSERT(condition) static_cast<void>((condition) || (toml_assertion_failed(), true))
+#define TOML_HEADER_ONLY 1
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
 
 namespace cuesta::strict_toml_detail {
 namespace {
@@ -79,6 +84,20 @@ std::shared_ptr<Node> converted(const toml::node& from, const std::string& key, 
   return node;
 }
 
+/// The first line whose end a failing assertion's cause lies before.
+int malformed_line(std::string_view text) {
+  int line = 1;
+  for (size_t end = text.find('\n'); end < text.size(); end = text.find('\n', end + 1), ++line) {
+    try {
+      static_cast<void>(toml::parse(text.substr(0, end + 1)));
+    } catch (const toml::parse_error&) {
+    } catch (const std::logic_error&) {
+      break;
+    }
+  }
+  return line;
+}
+
 }  // namespace
 
 std::shared_ptr<Node> parse_toml(std::string_view text, const std::string& name) {
@@ -92,6 +111,8 @@ std::shared_ptr<Node> parse_toml(std::string_view text, const std::string& name)
   } catch (const toml::parse_error& error) {
     throw usage_error(name + ":" + std::to_string(error.source().begin.line) +
                       ": this is not TOML: " + printable(error.description(), 300) + ".");
+  } catch (const std::logic_error&) {
+    throw usage_error(name + ":" + std::to_string(malformed_line(text)) + ": this is not TOML: malformed.");
   }
 }
 

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/architecture.h"
+
+namespace cuesta {
+
+/// What a run must compute for a parameter to matter to it.
+enum class ParameterUse : uint8_t { kHits, kTime };
+
+/// One knob of the machine. The table of all of them is what files, `--set`, the resolved configuration,
+/// `cuesta list parameters` and the documentation are made from.
+struct Parameter {
+  std::string_view path;                    ///< "height_l1.ways": section and key of an architecture file
+  int64_t low, high;                        ///< accepted, both ends included; for a name: index into `names`
+  std::span<const std::string_view> names;  ///< empty for a number
+  bool power_of_two;                        ///< 0 is accepted beside them where the range holds it
+  ParameterUse use;
+  std::string_view unit;     ///< "cycles", "bytes" ...; empty for a name or a plain number
+  std::string_view meaning;  ///< one sentence
+  std::string_view source;   ///< where range and default come from; "ours": our choice
+  int64_t (*get)(const Architecture&);
+  void (*set)(Architecture&, int64_t);
+
+  std::string_view section() const { return path.substr(0, path.find('.')); }
+  std::string_view key() const { return path.substr(path.find('.') + 1); }
+  /// "a power of two from 16 to 1024", "one of fixed, float, double".
+  std::string accepted() const;
+  /// A value as it is written in a file: 4, "morton".
+  std::string text(int64_t value) const;
+};
+
+/// All parameters, section after section along the data's way.
+std::span<const Parameter> parameters();
+
+/// Section names in the table's order.
+std::span<const std::string_view> parameter_sections();
+
+/// nullptr when there is none of that path.
+const Parameter* find_parameter(std::string_view path);
+
+/// Why a run does not use this parameter, as the end of a sentence; empty when it does.
+std::string why_unused(const Parameter& parameter, const Architecture& architecture, bool with_time);
+
+/// What no single range can say: sizes that must divide each other, queues that must hold a pipe.
+/// One sentence per contradiction, each naming its keys; empty when there is none.
+std::vector<std::string> contradictions(const Architecture& architecture);
+
+}  // namespace cuesta
