@@ -106,7 +106,9 @@ struct RealArithmetic {
             d == 0 ? sign * std::numeric_limits<Real>::infinity()
                    : sign * (Real{1} / static_cast<Real>(d < 0 ? -d : d))};
   }
-  static Line plane_line(int64_t origin, int64_t d, const Format& format) { return line(origin, d, 1, format); }
+  static Line plane_line(int64_t origin, int64_t d, const Format& format) {
+    return line(origin, d, 1, format);
+  }
   static Line height_line(int64_t z0, int64_t dz, const Format& format) {
     return line(z0, dz, dz > 0 ? Real{1} : Real{-1}, format);
   }
@@ -128,13 +130,15 @@ struct RealArithmetic {
   }
 
   static Time limit(const MachineRay& ray, const Format& format) {
-    if (ray.t_max >= format.t_end) return std::numeric_limits<Real>::infinity();
+    // Finite even at t_end, or a horizontal ray over a wrapped map would never end.
     return static_cast<Real>(static_cast<double>(ray.t_max) * format.unit_of_time);
   }
   static bool is_infinite(Time t, const Format&) { return t == std::numeric_limits<Real>::infinity(); }
   static int64_t bits(Time t) {
-    if constexpr (sizeof(Real) == 4) return std::bit_cast<uint32_t>(t);
-    else return std::bit_cast<int64_t>(t);
+    if constexpr (sizeof(Real) == 4)
+      return std::bit_cast<uint32_t>(t);
+    else
+      return std::bit_cast<int64_t>(t);
   }
 };
 

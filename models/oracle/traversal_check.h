@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "models/oracle/random_cases.h"
+#include "models/oracle/verdict.h"
+
+namespace cuesta {
+
+/// Counts of what was held against what.
+struct TraversalCheck {
+  int64_t maps = 0;
+  int64_t rays = 0;
+  int64_t hits = 0;              ///< of the rays, by the leaf walk in fixed point
+  int64_t comparisons = 0;       ///< (ray, schedule, arithmetic) against `dda` in the same arithmetic
+  int64_t mismatches = 0;        ///< of those: hit, cell, t or face differ
+  int64_t endless = 0;           ///< walks stopped at kVisitLimit
+  int64_t oracle_walks = 0;      ///< fixed-point `dda` against the exact leaf walk, of the ray as set up
+  int64_t oracle_brute = 0;      ///< and against brute force over all cells
+  int64_t oracle_errors = 0;
+  int64_t step_comparisons = 0;  ///< fixed-point steps of a schedule against the same schedule walked exactly
+  int64_t step_errors = 0;
+  std::array<VerdictCounts, 3> verdicts;          ///< by Arithmetic, of the ray at the machine's input
+  std::array<int64_t, 3> other_face{};            ///< right cell, another face
+  std::array<std::string, 3> first_other{};       ///< first verdict that is neither exact nor a tie, decoded
+  std::string first_failure;                      ///< decoded: map, ray, both answers
+
+  static constexpr int64_t kVisitLimit = 1 << 17;
+
+  bool passed() const { return mismatches == 0 && endless == 0 && oracle_errors == 0 && step_errors == 0; }
+  void add(const TraversalCheck& other);
+};
+
+struct TraversalCheckOptions {
+  bool all_combinations = true;   ///< 3 starts x 3 downs x 8 ups besides the named algorithms
+  bool verdicts = true;
+  int step_check_every = 8;       ///< rays; 0: never
+  int stop_level = 0;             ///< > 0: leaves are the mean pyramid's texels
+};
+
+/// Holds `ray` on `map` under every schedule and arithmetic against the leaf walk, and fixed point against both
+/// exact oracles. Throws input_error where `quantise` does.
+class TraversalChecker {
+ public:
+  TraversalChecker(const RandomMap& map, const TraversalCheckOptions& options);
+  ~TraversalChecker();
+  TraversalChecker(const TraversalChecker&) = delete;
+  TraversalChecker& operator=(const TraversalChecker&) = delete;
+
+  void check(const TracedRay& ray, TraversalCheck& counts);
+
+ private:
+  struct State;
+  State* state_;
+};
+
+/// Random maps and rays until `rays` have been checked; the same seed gives the same counts. `rays_per_map` >= 1.
+TraversalCheck check_random_traversals(uint64_t seed, int64_t rays, int max_side, int rays_per_map,
+                                       const TraversalCheckOptions& options);
+
+}  // namespace cuesta
