@@ -27,18 +27,18 @@ struct RayDispatchParameters {
 };
 
 struct RaySetupParameters {
-  int latency_cycles = 24;    ///< clip, three reciprocals, start level
-  int interval_cycles = 4;    ///< cycles between two rays entering: set by the number of reciprocal units
-  int queue_depth = 8;        ///< rays in set-up or waiting for a context
+  int latency_cycles = 24;  ///< clip, three reciprocals, start level
+  int interval_cycles = 4;  ///< cycles between two rays entering: set by the number of reciprocal units
+  int queue_depth = 8;      ///< rays in set-up or waiting for a context
 };
 
 struct TraverseParameters {
   Arithmetic arithmetic = Arithmetic::kFixed;
-  int stages = 8;             ///< cycles from one step of a ray to its next
-  int contexts = 32;          ///< rays resident: in the pipe or parked on a miss; >= stages
+  int stages = 8;     ///< cycles from one step of a ray to its next
+  int contexts = 32;  ///< rays resident: in the pipe or parked on a miss; >= stages
   int fraction_bits = 8;
   int direction_bits = 32;
-  int mantissa_bits = 0;      ///< 0: height bits + 4
+  int mantissa_bits = 0;  ///< 0: height bits + 4
   int tile_bits = 4;
 };
 
@@ -55,7 +55,7 @@ struct HitQueueParameters {
 
 struct ResultWriterParameters {
   int burst_bytes = 64;
-  int outstanding = 4;        ///< write bursts on their way
+  int outstanding = 4;  ///< write bursts on their way
 };
 
 struct TexelParameters {

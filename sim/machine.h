@@ -31,11 +31,12 @@ struct Workload {
 using Progress = std::function<bool(uint64_t finished, uint64_t all)>;
 
 struct Outcome {
-  std::vector<HitRecord> hits;  ///< in the order of the trace; when partial, unfinished rays are kDidNotFinish
+  std::vector<HitRecord>
+      hits;  ///< in the order of the trace; when partial, unfinished rays are kDidNotFinish
   Measurements measurements;
-  uint64_t finished_rays = 0;   ///< < rays: partial
-  std::string hits_digest;      ///< over rays and hit records
-  std::string digest;           ///< and counters and planes; empty when partial
+  uint64_t finished_rays = 0;  ///< < rays: partial
+  std::string hits_digest;     ///< over rays and hit records
+  std::string digest;          ///< and counters and planes; empty when partial
 };
 
 /// Hits, steps, texel fetches; no time.
@@ -49,7 +50,7 @@ NumberFormat number_format(const TraverseParameters& traverse, const MapShape& m
 
 /// Conservation laws over one outcome: in = out at every unit, stall reasons add up, bytes balance, planes +
 /// nobody = totals. One sentence per broken law; empty when all hold.
-std::vector<std::string> broken_laws(const Workload& work, const Architecture& architecture, Fidelity fidelity,
-                                     const Outcome& outcome);
+std::vector<std::string> broken_laws(const Workload& work, const Architecture& architecture,
+                                     Fidelity fidelity, const Outcome& outcome);
 
 }  // namespace cuesta

@@ -42,7 +42,8 @@ class Counters {
   std::map<std::string, int64_t> values_;
 };
 
-/// Bin k counts the values v with first[k] <= v < first[k + 1]; the last bin is open above.
+/// Bin k counts count[k] values, the smallest of them >= first[k]. Bins are single values below 4, then powers of
+/// two in four: the bin of first = 2^m + q 2^(m-2) ends below first + 2^(m-2). Empty bins are left out.
 struct Histogram {
   std::string name;  ///< defined like a counter
   std::vector<int64_t> first;
@@ -50,15 +51,15 @@ struct Histogram {
   int64_t median = 0, p99 = 0, max = 0;  ///< exact, over the values, not the bins
 };
 
-/// Exact median (lower), p99 and maximum, and bins of powers of two split into 4 (at most about 250).
+/// Values >= 0; exact median (lower), p99 and maximum.
 Histogram make_histogram(std::string name, std::vector<int64_t> values);
 
 /// One unsigned integer per pixel, row by row, `width * height` of them.
 struct Plane {
   std::string name;  ///< defined like a counter: "plane.steps"
   std::vector<uint32_t> values;
-  int64_t nobody = 0;        ///< what no pixel owns: plane + nobody = the total
-  bool adds_up = true;       ///< false: a latency, of which no total is kept
+  int64_t nobody = 0;   ///< what no pixel owns: plane + nobody = the total
+  bool adds_up = true;  ///< false: a latency, of which no total is kept
 };
 
 /// What one run of one algorithm on one machine gives back, besides the hit records.

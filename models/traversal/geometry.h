@@ -13,15 +13,15 @@ namespace cuesta {
 
 /// What does not change along a ray, per axis.
 struct AxisMap {
-  int64_t size;     ///< w or h, texels
-  int64_t padded;   ///< 2^n
-  int root_level;   ///< n
+  int64_t size;    ///< w or h, texels
+  int64_t padded;  ///< 2^n
+  int root_level;  ///< n
 };
 
 /// Square powers of two: the node's index runs on over tiles.
 struct PlainAxis {
-  int64_t node = 0;   ///< at the current level, unwrapped
-  int64_t flip = 0;   ///< all ones when the axis is mirrored
+  int64_t node = 0;  ///< at the current level, unwrapped
+  int64_t flip = 0;  ///< all ones when the axis is mirrored
 
   void start(const AxisMap&, int64_t cell, bool flipped) {
     node = cell;
@@ -53,8 +53,8 @@ struct PlainAxis {
 /// Any size: tile `tile`, node `node` in it. A mirrored axis has its padding in front: `offset` = 2^n - size.
 struct TiledAxis {
   int64_t tile = 0;
-  int64_t base = 0;    ///< tile * size
-  int64_t node = 0;    ///< at the current level, in the tile, padding included
+  int64_t base = 0;  ///< tile * size
+  int64_t node = 0;  ///< at the current level, in the tile, padding included
   int64_t offset = 0;
   bool flip = false;
 

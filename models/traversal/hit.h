@@ -14,7 +14,7 @@ struct HitRecord {
   HitStatus status = HitStatus::kMiss;
   HitFace face = HitFace::kNone;
   uint8_t stop_level = 0;
-  int32_t i = 0;       ///< cell of the stop level in the map's own frame, unwrapped, before the address mode
+  int32_t i = 0;  ///< cell of the stop level in the map's own frame, unwrapped, before the address mode
   int32_t j = 0;
   int64_t t = 0;       ///< machine time units (fixed); the bits of the time (float, double)
   uint32_t steps = 0;  ///< node visits

@@ -77,8 +77,8 @@ int64_t tile_limit(int64_t size, int64_t d, const NumberFormat& format, int64_t 
   if (d == 0) return t_end;
   using Wide = unsigned __int128;
   const Wide distance = static_cast<Wide>(size) << (format.tile_bits + format.fraction_bits);
-  const Wide time = (distance << (format.direction_bits - 1 + format.mantissa_bits)) /
-                    static_cast<Wide>(d < 0 ? -d : d);
+  const Wide time =
+      (distance << (format.direction_bits - 1 + format.mantissa_bits)) / static_cast<Wide>(d < 0 ? -d : d);
   return time > static_cast<Wide>(t_end) ? t_end : static_cast<int64_t>(time);
 }
 
@@ -133,11 +133,13 @@ MachineRay quantise(const TracedRay& ray, const MapShape& map, const NumberForma
   out.dz = d[2];
 
   const int64_t t_end = (int64_t{1} << time_bits(map, format)) - 1;
-  out.t_max = std::min(tile_limit(map.width, out.dx, format, t_end), tile_limit(map.height, out.dy, format, t_end));
-  const double traced = t_max <= 0 ? 0
-                                   : scaled(t_max, std::clamp(f + format.direction_bits - 1 + format.mantissa_bits +
-                                                                  out.exponent,
-                                                              -4000, 4000));
+  out.t_max =
+      std::min(tile_limit(map.width, out.dx, format, t_end), tile_limit(map.height, out.dy, format, t_end));
+  const double traced =
+      t_max <= 0
+          ? 0
+          : scaled(t_max, std::clamp(f + format.direction_bits - 1 + format.mantissa_bits + out.exponent,
+                                     -4000, 4000));
   if (traced < static_cast<double>(out.t_max)) {
     const int64_t whole = static_cast<int64_t>(traced);
     out.t_max = std::min(out.t_max, whole + (static_cast<double>(whole) < traced ? 1 : 0));

@@ -47,14 +47,14 @@ struct RayState {
   typename A::Line x, y, z;
   G gx, gy;
   Time t_cur, t_start, t_max;
-  Time t_root;               ///< rising: when the ray passes the map's maximum
-  int32_t level;             ///< of the node to visit next
-  int32_t down;              ///< levels per descent: the schedule's, 1 after the first crossing
-  int32_t last_crossed;      ///< level of the previous step if that was a crossing, else -1
+  Time t_root;           ///< rising: when the ray passes the map's maximum
+  int32_t level;         ///< of the node to visit next
+  int32_t down;          ///< levels per descent: the schedule's, 1 after the first crossing
+  int32_t last_crossed;  ///< level of the previous step if that was a crossing, else -1
   uint32_t steps;
   bool rising;
-  HitFace face;              ///< after a hit
-  Time t_hit;                ///< after a hit
+  HitFace face;    ///< after a hit
+  Time t_hit = 0;  ///< after a hit
 };
 
 namespace traversal_detail {
@@ -178,9 +178,12 @@ inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
     const Time t_hit = ray.rising ? t_in : std::max(t_in, t_z);
     if (t_hit < std::min(t_out, ray.t_max) && (!ray.rising || t_in < t_z)) {
       ray.t_hit = t_hit;
-      if (!ray.rising && t_z >= t_in) ray.face = HitFace::kTop;
-      else if (later >= ray.t_start) ray.face = in_x >= in_y ? HitFace::kWallX : HitFace::kWallY;
-      else ray.face = HitFace::kInside;
+      if (!ray.rising && t_z >= t_in)
+        ray.face = HitFace::kTop;
+      else if (later >= ray.t_start)
+        ray.face = in_x >= in_y ? HitFace::kWallX : HitFace::kWallY;
+      else
+        ray.face = HitFace::kInside;
       return Visit::kHit;
     }
   }
@@ -194,8 +197,7 @@ inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
   if (traversal_detail::before_visit(walk, ray) == Visit::kMiss) return Visit::kMiss;
 
   if (level < walk.map.root_level && rules.up != UpRule::kNever) {
-    const bool even_axis =
-        (cross_x && ray.gx.index_is_even()) || (cross_y && ray.gy.index_is_even());
+    const bool even_axis = (cross_x && ray.gx.index_is_even()) || (cross_y && ray.gy.index_is_even());
     auto neighbour_is_skipped = [&] {
       if (ray.rising) return true;
       const Time next_out = std::min(A::at(ray.x, ray.gx.exit_plane(walk.x, level)),
@@ -204,14 +206,29 @@ inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
     };
     bool up = false;
     switch (rules.up) {
-      case UpRule::kNever: break;
-      case UpRule::kAlways: up = true; break;
-      case UpRule::kInterval: up = level % 2 == 0; break;
-      case UpRule::kEvenAxis: up = even_axis; break;
-      case UpRule::kBothEven: up = ray.gx.index_is_even() && ray.gy.index_is_even(); break;
-      case UpRule::kSelective: up = neighbour_is_skipped(); break;
-      case UpRule::kSelectiveEven: up = even_axis && neighbour_is_skipped(); break;
-      case UpRule::kCoherent: up = ray.last_crossed == level; break;
+      case UpRule::kNever:
+        break;
+      case UpRule::kAlways:
+        up = true;
+        break;
+      case UpRule::kInterval:
+        up = level % 2 == 0;
+        break;
+      case UpRule::kEvenAxis:
+        up = even_axis;
+        break;
+      case UpRule::kBothEven:
+        up = ray.gx.index_is_even() && ray.gy.index_is_even();
+        break;
+      case UpRule::kSelective:
+        up = neighbour_is_skipped();
+        break;
+      case UpRule::kSelectiveEven:
+        up = even_axis && neighbour_is_skipped();
+        break;
+      case UpRule::kCoherent:
+        up = ray.last_crossed == level;
+        break;
     }
     if (up) {
       ray.gx.ascend();
@@ -245,8 +262,9 @@ HitRecord traverse_ray(const Walk<A, G>& walk, const MachineRay& input, Fetch&& 
   RayState<A, G> ray;
   Visit state = start(walk, input, ray);
   while (state == Visit::kContinue) {
-    state = visit(walk, ray, fetch(ray.level, ray.gx.fetch_index(walk.x, ray.level),
-                                   ray.gy.fetch_index(walk.y, ray.level)));
+    state =
+        visit(walk, ray,
+              fetch(ray.level, ray.gx.fetch_index(walk.x, ray.level), ray.gy.fetch_index(walk.y, ray.level)));
   }
   return hit_record(walk, ray, input.id, state);
 }
@@ -262,7 +280,8 @@ decltype(auto) with_traversal_types(Arithmetic arithmetic, const MapShape& map, 
     case Arithmetic::kDouble:
       return plain ? body.template operator()<DoubleArithmetic, PlainAxis>()
                    : body.template operator()<DoubleArithmetic, TiledAxis>();
-    case Arithmetic::kFixed: break;
+    case Arithmetic::kFixed:
+      break;
   }
   return plain ? body.template operator()<FixedArithmetic, PlainAxis>()
                : body.template operator()<FixedArithmetic, TiledAxis>();

@@ -1,0 +1,144 @@
+#include "models/common/statistics.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "models/common/error.h"
+
+namespace cuesta {
+
+namespace {
+
+constexpr StatisticDefinition kDefinitions[] = {
+    {"dram.bus_clocks", "memory clocks",
+     "Clocks in which a channel's data bus carried data, over all channels."},
+    {"dram.read_bytes", "bytes", "Bytes of the lines read for height_l1."},
+    {"dram.reads", "requests", "Lines read for height_l1, one request each."},
+    {"dram.row_conflicts", "requests",
+     "Requests that found another row open in their bank: precharge and activate."},
+    {"dram.row_hits", "requests", "Requests that found their row open."},
+    {"dram.row_misses", "requests", "Requests that found no row open in their bank: activate only."},
+    {"dram.write_bytes", "bytes",
+     "Bytes of the bursts of hit records; the last, partly filled burst counts whole."},
+    {"dram.writes", "requests", "Bursts of hit records written, one request each."},
+    {"height_l1.accesses", "lookups", "Lookups: one per issued ray, replays left out, retries included."},
+    {"height_l1.evictions", "lines", "Fills that replaced a line."},
+    {"height_l1.fill_bytes", "bytes", "Bytes of the lines that landed."},
+    {"height_l1.fills", "lines", "Lines that landed from dram."},
+    {"height_l1.hits", "lookups", "Lookups that found their line."},
+    {"height_l1.merges", "lookups",
+     "Lookups that missed and joined the MSHR of an earlier miss to the same line."},
+    {"height_l1.misses", "lookups", "Lookups that missed and allocated an MSHR: lines requested from dram."},
+    {"height_l1.mshr_cycles", "MSHR cycles",
+     "Sum over MSHRs of the cycles from allocation to the last waiter's replay."},
+    {"height_l1.refused", "lookups",
+     "Lookups that missed and found no free MSHR: the ray waits and looks up again."},
+    {"height_l1.unique_lines", "lines",
+     "Different lines ever requested by this cache: its compulsory misses."},
+    {"hit_queue.max_fill", "records",
+     "Most records met by a push, itself included; pops of the same cycle not yet counted."},
+    {"hit_queue.pops", "records", "Records taken by result_writer."},
+    {"hit_queue.pushes", "records", "Records pushed by traverse: completed rays."},
+    {"hit_queue.waited_cycles", "record cycles", "Sum over records of the cycles from push to pop."},
+    {"latency", "cycles", "Histogram over rays of the cycles from dispatch to completion."},
+    {"machine.cycles", "cycles",
+     "Cycles from reset to the acknowledgement of the last burst written; cold caches."},
+    {"machine.dead_rays", "rays", "Rays that missed at set-up, with no step: outside the slab or the map."},
+    {"machine.hits", "rays", "Rays that hit the surface."},
+    {"machine.misses", "rays", "Rays that did not, dead ones included."},
+    {"machine.rays", "rays", "Rays of the trace."},
+    {"machine.steps", "steps", "Node visits of all rays."},
+    {"machine.texel_bytes", "bytes",
+     "Bytes of the texels that the steps read: the traffic without any cache."},
+    {"machine.unfinished_rays", "rays", "Rays without a result: the run was ended early."},
+    {"plane.dram_bus_clocks", "memory clocks",
+     "Data-bus clocks of the requests that the pixel's rays caused."},
+    {"plane.dram_read_bytes", "bytes",
+     "Bytes of the lines whose misses the pixel's rays allocated; merged misses and "
+     "later hits carry none."},
+    {"plane.dram_row_activations", "activations",
+     "Rows opened by the requests that the pixel's rays caused."},
+    {"plane.dram_write_bytes", "bytes", "Bytes of the bursts whose first record is the pixel's."},
+    {"plane.issue_slots", "cycles",
+     "Slots of the traverse pipes that the pixel's rays used; empty slots and "
+     "standstills belong to nobody."},
+    {"plane.l1_misses", "lines", "Misses that the pixel's rays allocated."},
+    {"plane.latency", "cycles",
+     "Cycles from dispatch to completion, summed over the pixel's rays; does not add up "
+     "to the machine's cycles, as rays overlap."},
+    {"plane.steps", "steps", "Node visits of the pixel's rays."},
+    {"ray_dispatch.rays", "rays", "Rays sent to the pipelines."},
+    {"ray_setup.rays", "rays", "Rays that entered set-up."},
+    {"result_writer.bursts", "bursts", "Bursts written."},
+    {"result_writer.bytes", "bytes", "Bytes of the bursts written."},
+    {"result_writer.records", "records", "Hit records taken from hit_queue."},
+    {"steps", "steps", "Histogram over rays of the node visits."},
+    {"traverse.bubble_contexts_full", "cycles",
+     "Empty slots while every context held a ray that waited for memory."},
+    {"traverse.bubble_drain", "cycles", "Empty slots after the last ray had been taken."},
+    {"traverse.bubble_no_ray", "cycles",
+     "Empty slots while ray_setup had no ray ready and some were still to come."},
+    {"traverse.cycles", "cycles",
+     "Cycles of the unit: slots used, empty slots and standstills add up to them."},
+    {"traverse.hits", "rays", "Completed rays that hit."},
+    {"traverse.rays", "rays", "Rays completed: transferred on the hit stream."},
+    {"traverse.replays", "steps", "Of the steps, those replayed after their line had landed."},
+    {"traverse.resident_cycles", "ray cycles",
+     "Sum over rays of the cycles in a context, from entry to completion."},
+    {"traverse.slots_dead", "cycles", "Slots used by rays dead at set-up."},
+    {"traverse.slots_miss", "cycles", "Slots used by a lookup that missed and parked its ray on an MSHR."},
+    {"traverse.slots_refused", "cycles", "Slots used by a lookup that missed and found no free MSHR."},
+    {"traverse.slots_step", "cycles", "Slots in which a node was visited: steps."},
+    {"traverse.stall_hit_queue", "cycles",
+     "Cycles in which the pipe stood still, a result before a full hit_queue."},
+};
+
+}  // namespace
+
+std::span<const StatisticDefinition> statistic_definitions() { return kDefinitions; }
+
+const StatisticDefinition& definition_of(std::string_view path) {
+  std::string name(path);
+  const size_t open = name.find('['), close = name.find(']');
+  if (open != std::string::npos && close != std::string::npos) name.erase(open, close - open + 1);
+  for (const StatisticDefinition& definition : kDefinitions) {
+    if (definition.name == name) return definition;
+  }
+  throw Error(ExitCode::kInternal, "The statistic '" + std::string(path) + "' has no definition.");
+}
+
+int64_t Counters::sum(std::string_view unit, std::string_view statistic) const {
+  int64_t total = 0;
+  const std::string front = std::string(unit) + "[", back = "]." + std::string(statistic);
+  for (const auto& [path, value] : values_) {
+    if (path.starts_with(front) && path.ends_with(back)) total += value;
+  }
+  return total;
+}
+
+Histogram make_histogram(std::string name, std::vector<int64_t> values) {
+  Histogram histogram;
+  histogram.name = std::move(name);
+  if (values.empty()) return histogram;
+  std::sort(values.begin(), values.end());
+  histogram.median = values[(values.size() - 1) / 2];
+  histogram.p99 = values[(values.size() - 1) * 99 / 100];
+  histogram.max = values.back();
+  // Bins 0, 1, 2, 3, then each power of two in four.
+  auto bin_start = [](int64_t v) -> int64_t {
+    if (v < 4) return v;
+    const int shift = std::bit_width(static_cast<uint64_t>(v)) - 3;
+    return v >> shift << shift;
+  };
+  for (int64_t v : values) {
+    const int64_t start = bin_start(std::max<int64_t>(v, 0));
+    if (histogram.first.empty() || histogram.first.back() != start) {
+      histogram.first.push_back(start);
+      histogram.count.push_back(0);
+    }
+    ++histogram.count.back();
+  }
+  return histogram;
+}
+
+}  // namespace cuesta

@@ -1,0 +1,133 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "models/architecture.h"
+#include "models/common/port_stalls.h"
+#include "models/memory/memory_port.h"
+
+namespace cuesta {
+
+/// height_l1: the private cache of pyramid texels of one pipeline; non-blocking, misses parked and merged
+/// (`accumulate`, after the ray accumulation unit of the T&I engine).
+///
+/// Ports: one lookup a cycle from traverse; requests to dram; fills from dram; a replay port to traverse. All
+/// registered: a lookup in cycle c sees the lines that had landed by c - 1 and everything the lookup of c - 1 did.
+/// Timing: a miss allocates the free MSHR of lowest index, or is merged into the pending one of its line, or,
+/// with none free, goes to the retry FIFO (a place for every context). A request leaves in the cycle of its
+/// allocation (one a cycle). A fill that lands in c is read from c + 1 on; its waiters are replayed from c + 1
+/// on, one per slot that traverse has free, with the texel, without another lookup; the MSHR is free in the
+/// cycle after its last waiter went. The victim, the least recently used way, is chosen and made most recently
+/// used at allocation; its old line can be read until the fill lands.
+class HeightL1 final : public MemoryClient {
+ public:
+  struct Counts {
+    int64_t accesses = 0;  ///< lookups, retried ones included
+    int64_t hits = 0;
+    int64_t misses = 0;   ///< allocated an MSHR
+    int64_t merges = 0;   ///< joined the MSHR of an earlier miss
+    int64_t refused = 0;  ///< found no free MSHR
+    int64_t fills = 0;
+    int64_t evictions = 0;  ///< fills that replaced a line
+    int64_t unique_lines = 0;
+    int64_t mshr_cycles = 0;  ///< sum over MSHRs of the cycles they were taken
+  };
+
+  enum class Answer : uint8_t { kHit, kAllocated, kMerged, kRefused };
+
+  HeightL1(const HeightL1Parameters& parameters, int contexts, uint64_t image_bytes, int pipeline,
+           MemoryPort& memory, const PortStalls* stalls)
+      : line_bytes_(parameters.line_bytes),
+        line_shift_(std::countr_zero(static_cast<unsigned>(parameters.line_bytes))),
+        ways_(static_cast<uint32_t>(parameters.ways)),
+        set_mask_(static_cast<uint32_t>(parameters.size_bytes / parameters.line_bytes / parameters.ways - 1)),
+        pipeline_(pipeline),
+        memory_(memory),
+        stalls_(stalls),
+        lines_(static_cast<size_t>(parameters.size_bytes / parameters.line_bytes), kNoLine),
+        used_(lines_.size(), 0),
+        mshrs_(static_cast<size_t>(parameters.mshrs)),
+        free_mshrs_(parameters.mshrs == 64 ? ~uint64_t{0} : (uint64_t{1} << parameters.mshrs) - 1),
+        next_waiter_(static_cast<size_t>(contexts), -1),
+        seen_((image_bytes >> line_shift_) / 64 + 1, 0) {}
+
+  /// The context's ray asks for the texel at `address` in `cycle`; `ray` owns the miss that it may cause.
+  Answer lookup(uint64_t address, int context, uint32_t ray, Cycle cycle) {
+    const uint32_t line = static_cast<uint32_t>(address >> line_shift_);
+    const uint32_t first = (line & set_mask_) * ways_;
+    ++counts_.accesses;
+    for (uint32_t way = first; way < first + ways_; ++way) {
+      if (lines_[way] == line) {
+        used_[way] = ++clock_;
+        ++counts_.hits;
+        return Answer::kHit;
+      }
+    }
+    return miss(line, first, context, ray, cycle);
+  }
+
+  /// Lets the fills land whose cycle is below `cycle`.
+  void land_before(Cycle cycle) {
+    while (next_landing_ < cycle) land_one();
+  }
+  Cycle next_landing() const { return next_landing_; }
+
+  bool replay_waiting() const { return !landed_.empty(); }
+  /// The context whose ray goes on; in `cycle`.
+  int replay(Cycle cycle);
+
+  void push_retry(int context) { retry_.push_back(context); }
+  /// A slot does one thing a cycle, so an MSHR freed by this cycle's replay is never asked for in this cycle.
+  bool retry_possible() const { return !retry_.empty() && free_mshrs_ != 0; }
+  int pop_retry() {
+    const int context = retry_.front();
+    retry_.pop_front();
+    return context;
+  }
+
+  void respond(int slot, Cycle response) override;
+
+  const Counts& counts() const { return counts_; }
+  int mshrs_taken() const { return static_cast<int>(mshrs_.size()) - std::popcount(free_mshrs_); }
+  size_t retry_fill() const { return retry_.size(); }
+
+ private:
+  static constexpr uint32_t kNoLine = ~0u;
+
+  struct Mshr {
+    uint32_t line;
+    uint32_t victim_way;
+    int first_waiter, last_waiter;
+    Cycle lands;
+    Cycle allocated;
+  };
+
+  Answer miss(uint32_t line, uint32_t first_way, int context, uint32_t ray, Cycle cycle);
+  void land_one();
+
+  int line_bytes_;
+  int line_shift_;
+  uint32_t ways_;
+  uint32_t set_mask_;
+  int pipeline_;
+  MemoryPort& memory_;
+  const PortStalls* stalls_;
+  std::vector<uint32_t> lines_;  ///< sets x ways
+  std::vector<uint64_t> used_;   ///< when last used, on clock_; 0: never
+  uint64_t clock_ = 0;
+  std::vector<Mshr> mshrs_;
+  uint64_t free_mshrs_;           ///< bit set: free
+  uint64_t pending_ = 0;          ///< bit set: allocated, line not yet landed
+  std::vector<int> next_waiter_;  ///< per context
+  std::deque<int> landed_;        ///< the fill FIFO: MSHRs whose waiters are being replayed
+  std::deque<int> retry_;
+  Cycle next_landing_ = kNever;
+  Cycle last_leave_ = -1;
+  std::vector<uint64_t> seen_;  ///< lines ever asked for
+  Counts counts_;
+};
+
+}  // namespace cuesta

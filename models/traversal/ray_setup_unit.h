@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "models/architecture.h"
+#include "models/common/port_stalls.h"
+#include "models/dispatch/ray_dispatch.h"
+
+namespace cuesta {
+
+/// ray_setup: clip, reciprocals, start cell and level; when a ray that was dispatched may be taken by traverse.
+/// The value is computed by `start` (traversal.h) when traverse takes the ray.
+///
+/// Ports: rays from ray_dispatch's queue, rays to traverse; both registered, both in order.
+/// Timing: ray k enters in the first cycle e_k with e_k >= sent + dispatch latency, e_k >= e_(k-1) +
+/// interval_cycles and, at the end of e_k - 1, fewer than queue_depth rays entered and not yet taken; traverse
+/// may take it from e_k + latency_cycles on.
+class RaySetupUnit {
+ public:
+  struct Ready {
+    uint32_t ray;  ///< position in the machine's order
+    Cycle sent;
+    Cycle cycle;  ///< may be taken from this cycle on
+  };
+
+  RaySetupUnit(const RaySetupParameters& parameters, const RayDispatchParameters& dispatch, int pipeline,
+               RayDispatch& source, const PortStalls* stalls)
+      : parameters_(parameters),
+        dispatch_(dispatch),
+        pipeline_(pipeline),
+        source_(source),
+        stalls_(stalls),
+        taken_(static_cast<size_t>(parameters.queue_depth), -1) {}
+
+  /// Moves rays from the dispatch queue into set-up as far as is known.
+  void advance() {
+    auto& queue = source_.queue(pipeline_);
+    while (ready_.size() < static_cast<size_t>(parameters_.queue_depth)) {
+      if (queue.empty()) source_.advance();
+      if (queue.empty()) return;
+      const RayDispatch::Sent next = queue.front();
+      Cycle enters =
+          std::max({next.cycle + dispatch_.latency_cycles, last_entered_ + parameters_.interval_cycles,
+                    taken_[static_cast<size_t>(entered_) % taken_.size()] + 1});
+      enters = PortStalls::free_from(stalls_, Port::kDispatch, pipeline_, enters);
+      queue.pop_front();
+      last_entered_ = enters;
+      ready_.push_back({next.ray, next.cycle, enters + parameters_.latency_cycles});
+      source_.give_credit(pipeline_, enters + dispatch_.credit_latency_cycles);
+      ++entered_;
+    }
+  }
+
+  /// The first cycle in which the next ray may be taken; kNever when none is known.
+  Cycle next_ready() const { return ready_.empty() ? kNever : ready_.front().cycle; }
+
+  Ready take(Cycle cycle) {
+    const Ready taken = ready_.front();
+    taken_[(static_cast<size_t>(entered_) - ready_.size()) % taken_.size()] = cycle;
+    ready_.pop_front();
+    return taken;
+  }
+
+  /// Neither here nor in the queue before.
+  bool empty() const { return ready_.empty() && source_.queue(pipeline_).empty(); }
+  int64_t entered() const { return entered_; }
+  size_t waiting() const { return ready_.size(); }
+  size_t queued() const { return source_.queue(pipeline_).size(); }
+
+ private:
+  RaySetupParameters parameters_;
+  RayDispatchParameters dispatch_;
+  int pipeline_;
+  RayDispatch& source_;
+  const PortStalls* stalls_;
+  std::deque<Ready> ready_;  ///< entered, not yet taken
+  Cycle last_entered_ = INT32_MIN;
+  std::vector<Cycle> taken_;  ///< ring: when ray k - queue_depth was taken; -1 at reset
+  int64_t entered_ = 0;
+};
+
+}  // namespace cuesta

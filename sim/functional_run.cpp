@@ -1,0 +1,57 @@
+#include <array>
+
+#include "models/traversal/traversal.h"
+#include "sim/machine.h"
+#include "sim/outcome.h"
+
+namespace cuesta {
+
+namespace {
+
+constexpr size_t kRaysPerReport = 1 << 14;
+
+template <class A, class G>
+uint64_t trace_all(const Workload& work, const NumberFormat& format, const Progress& progress,
+                   std::vector<HitRecord>& hits) {
+  const Pyramid& pyramid = *work.pyramid;
+  const int root = pyramid.root_level();
+  const Walk<A, G> walk(work.map, format, work.schedule, pyramid.at(root, 0, 0));
+  struct LevelView {
+    const uint16_t* texels;
+    int64_t width;
+  };
+  std::array<LevelView, 32> levels{};
+  for (int level = 0; level <= root; ++level) {
+    levels[static_cast<size_t>(level)] = {pyramid.level(level), pyramid.width(level)};
+  }
+  auto fetch = [&](int level, int64_t i, int64_t j) -> int64_t {
+    const LevelView& view = levels[static_cast<size_t>(level)];
+    return view.texels[j * view.width + i];
+  };
+  for (size_t k = 0; k < work.rays.size(); ++k) {
+    if (progress && k % kRaysPerReport == 0 && !progress(k, work.rays.size())) return k;
+    hits[k] = traverse_ray(walk, work.rays[k], fetch);
+  }
+  if (progress) progress(work.rays.size(), work.rays.size());
+  return work.rays.size();
+}
+
+}  // namespace
+
+Outcome run_functional(const Workload& work, const Architecture& architecture, const Progress& progress) {
+  Outcome outcome;
+  outcome.hits.resize(work.rays.size());
+  for (size_t k = 0; k < work.rays.size(); ++k) {
+    outcome.hits[k].ray_id = work.rays[k].id;
+    outcome.hits[k].status = HitStatus::kDidNotFinish;
+  }
+  const NumberFormat format = number_format(architecture.traverse, work.map);
+  outcome.finished_rays = with_traversal_types(
+      architecture.traverse.arithmetic, work.map,
+      [&]<class A, class G>() { return trace_all<A, G>(work, format, progress, outcome.hits); });
+  add_hit_measurements(work, outcome.hits, outcome.measurements);
+  seal(work, outcome.finished_rays == work.rays.size(), outcome);
+  return outcome;
+}
+
+}  // namespace cuesta

@@ -1,0 +1,100 @@
+#include <numeric>
+
+#include "sim/machine.h"
+
+namespace cuesta {
+
+namespace {
+
+class Laws {
+ public:
+  explicit Laws(const Counters& counters) : counters_(counters) {}
+
+  void equal(const std::string& what, int64_t left, int64_t right) {
+    if (left != right)
+      broken_.push_back(what + ": " + std::to_string(left) + " against " + std::to_string(right));
+  }
+  int64_t get(const std::string& path) const { return counters_.get(path); }
+  std::vector<std::string> broken() && { return std::move(broken_); }
+
+ private:
+  const Counters& counters_;
+  std::vector<std::string> broken_;
+};
+
+void check_pipeline(Laws& laws, int pipeline, const Architecture& architecture) {
+  const std::string index = "[" + std::to_string(pipeline) + "].";
+  auto get = [&](const char* unit, const char* statistic) { return laws.get(unit + index + statistic); };
+  const std::string where = " of pipeline " + std::to_string(pipeline);
+  laws.equal("rays into ray_setup = rays out of traverse" + where, get("ray_setup", "rays"),
+             get("traverse", "rays"));
+  laws.equal("rays out of traverse = records into hit_queue" + where, get("traverse", "rays"),
+             get("hit_queue", "pushes"));
+  laws.equal("records into = out of hit_queue" + where, get("hit_queue", "pushes"), get("hit_queue", "pops"));
+  laws.equal("records out of hit_queue = records written" + where, get("hit_queue", "pops"),
+             get("result_writer", "records"));
+  laws.equal("reasons add up to traverse's cycles" + where,
+             get("traverse", "slots_step") + get("traverse", "slots_miss") +
+                 get("traverse", "slots_refused") + get("traverse", "slots_dead") +
+                 get("traverse", "bubble_contexts_full") + get("traverse", "bubble_no_ray") +
+                 get("traverse", "bubble_drain") + get("traverse", "stall_hit_queue"),
+             laws.get("machine.cycles"));
+  laws.equal("lookups = hits + misses + merges + refused" + where, get("height_l1", "accesses"),
+             get("height_l1", "hits") + get("height_l1", "misses") + get("height_l1", "merges") +
+                 get("height_l1", "refused"));
+  laws.equal("steps = lookups that hit + replays" + where, get("traverse", "slots_step"),
+             get("height_l1", "hits") + get("traverse", "replays"));
+  laws.equal("parked rays = replayed rays" + where, get("height_l1", "misses") + get("height_l1", "merges"),
+             get("traverse", "replays"));
+  laws.equal("misses = fills" + where, get("height_l1", "misses"), get("height_l1", "fills"));
+  laws.equal("bytes filled = fills x line" + where, get("height_l1", "fill_bytes"),
+             get("height_l1", "fills") * architecture.height_l1.line_bytes);
+}
+
+void check_planes(Laws& laws, const Measurements& measurements, int pipelines) {
+  auto total = [&](const std::string& name, int64_t expected) {
+    for (const Plane& plane : measurements.planes) {
+      if (plane.name != name) continue;
+      const int64_t sum = std::accumulate(plane.values.begin(), plane.values.end(), int64_t{0});
+      laws.equal(name + " + nobody = total", sum + plane.nobody, expected);
+    }
+  };
+  total("plane.steps", laws.get("machine.steps"));
+  total("plane.issue_slots", pipelines * laws.get("machine.cycles"));
+  total("plane.l1_misses", measurements.counters.sum("height_l1", "misses"));
+  total("plane.dram_read_bytes", laws.get("dram.read_bytes"));
+  total("plane.dram_write_bytes", laws.get("dram.write_bytes"));
+  total("plane.dram_bus_clocks", laws.get("dram.bus_clocks"));
+  total("plane.dram_row_activations", laws.get("dram.row_misses") + laws.get("dram.row_conflicts"));
+}
+
+}  // namespace
+
+std::vector<std::string> broken_laws(const Workload& work, const Architecture& architecture,
+                                     Fidelity fidelity, const Outcome& outcome) {
+  if (outcome.finished_rays < work.rays.size()) return {};
+  const Counters& counters = outcome.measurements.counters;
+  Laws laws(counters);
+  laws.equal("rays = hits + misses", laws.get("machine.rays"),
+             laws.get("machine.hits") + laws.get("machine.misses"));
+  laws.equal("rays of the trace = hit records", static_cast<int64_t>(work.rays.size()),
+             laws.get("machine.rays"));
+  const int pipelines = fidelity == Fidelity::kCycle ? architecture.machine.pipelines : 0;
+  check_planes(laws, outcome.measurements, pipelines);
+  if (fidelity == Fidelity::kCycle) {
+    for (int p = 0; p < pipelines; ++p) check_pipeline(laws, p, architecture);
+    laws.equal("rays sent = rays of the trace", laws.get("ray_dispatch.rays"), laws.get("machine.rays"));
+    laws.equal("rays sent = rays completed", laws.get("ray_dispatch.rays"), counters.sum("traverse", "rays"));
+    laws.equal("steps of the hit records = slots with a step", laws.get("machine.steps"),
+               counters.sum("traverse", "slots_step"));
+    laws.equal("bytes read from dram = bytes filled", laws.get("dram.read_bytes"),
+               counters.sum("height_l1", "fill_bytes"));
+    laws.equal("bytes written to dram = bytes of bursts", laws.get("dram.write_bytes"),
+               counters.sum("result_writer", "bytes"));
+    laws.equal("requests = row hits + misses + conflicts", laws.get("dram.reads") + laws.get("dram.writes"),
+               laws.get("dram.row_hits") + laws.get("dram.row_misses") + laws.get("dram.row_conflicts"));
+  }
+  return std::move(laws).broken();
+}
+
+}  // namespace cuesta

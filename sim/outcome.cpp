@@ -1,0 +1,131 @@
+#include "sim/outcome.h"
+
+#include "models/common/digest.h"
+#include "models/common/error.h"
+
+namespace cuesta {
+
+NumberFormat number_format(const TraverseParameters& traverse, const MapShape& map) {
+  NumberFormat format;
+  format.fraction_bits = traverse.fraction_bits;
+  format.direction_bits = traverse.direction_bits;
+  format.mantissa_bits = traverse.mantissa_bits == 0 ? map.bits + 4 : traverse.mantissa_bits;
+  format.tile_bits = traverse.tile_bits;
+  // Products carry two bits more than a time; hit records hold a cell's index in 32 bits.
+  if (time_bits(map, format) > 60 || map.root_level + format.tile_bits > 29) {
+    throw usage_error("traverse.fraction_bits = " + std::to_string(format.fraction_bits) +
+                      ", mantissa_bits = " + std::to_string(format.mantissa_bits) +
+                      " and tile_bits = " + std::to_string(format.tile_bits) + " make times of " +
+                      std::to_string(time_bits(map, format)) + " bits and cell indices of " +
+                      std::to_string(map.root_level + format.tile_bits) +
+                      " bits on this map; at most 60 and 29 are accepted.");
+  }
+  return format;
+}
+
+namespace {
+
+/// A plane from one value per ray.
+template <class Value>
+Plane plane_of(const Workload& work, const char* name, Value&& value) {
+  Plane plane;
+  plane.name = name;
+  plane.values.assign(static_cast<size_t>(work.width) * static_cast<size_t>(work.height), 0);
+  for (size_t k = 0; k < work.rays.size(); ++k)
+    plane.values[work.pixel_of_ray[k]] += static_cast<uint32_t>(value(k));
+  return plane;
+}
+
+}  // namespace
+
+void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, Measurements& measurements) {
+  Counters& counters = measurements.counters;
+  int64_t hit = 0, miss = 0, dead = 0, unfinished = 0, steps = 0;
+  std::vector<int64_t> per_ray;
+  per_ray.reserve(hits.size());
+  for (const HitRecord& record : hits) {
+    hit += record.status == HitStatus::kHit;
+    miss += record.status == HitStatus::kMiss;
+    dead += record.status == HitStatus::kMiss && record.steps == 0;
+    unfinished += record.status == HitStatus::kDidNotFinish;
+    steps += record.steps;
+    if (record.status != HitStatus::kDidNotFinish) per_ray.push_back(record.steps);
+  }
+  counters.set("machine.rays", static_cast<int64_t>(hits.size()));
+  counters.set("machine.hits", hit);
+  counters.set("machine.misses", miss);
+  counters.set("machine.dead_rays", dead);
+  counters.set("machine.unfinished_rays", unfinished);
+  counters.set("machine.steps", steps);
+  counters.set("machine.texel_bytes", steps * work.pyramid->texel_bytes());
+  measurements.histograms.push_back(make_histogram("steps", std::move(per_ray)));
+  measurements.plane_width = work.width;
+  measurements.plane_height = work.height;
+  measurements.planes.push_back(plane_of(work, "plane.steps", [&](size_t k) { return hits[k].steps; }));
+}
+
+void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
+                          std::span<const RayTiming> timing, std::span<const MemoryCost> memory,
+                          int64_t traverse_cycles, Measurements& measurements) {
+  add_hit_measurements(work, hits, measurements);
+  std::vector<int64_t> latencies;
+  latencies.reserve(timing.size());
+  int64_t slots = 0;
+  for (const RayTiming& ray : timing) {
+    if (ray.completed >= 0) latencies.push_back(ray.latency);
+    slots += ray.issue_slots;
+  }
+  measurements.histograms.push_back(make_histogram("latency", std::move(latencies)));
+  auto add = [&](const char* name, auto&& value) {
+    measurements.planes.push_back(plane_of(work, name, value));
+  };
+  add("plane.issue_slots", [&](size_t k) { return timing[k].issue_slots; });
+  measurements.planes.back().nobody = traverse_cycles - slots;
+  add("plane.l1_misses", [&](size_t k) { return timing[k].misses; });
+  add("plane.dram_read_bytes", [&](size_t k) { return memory[k].read_bytes; });
+  add("plane.dram_write_bytes", [&](size_t k) { return memory[k].write_bytes; });
+  add("plane.dram_bus_clocks", [&](size_t k) { return memory[k].bus_clocks; });
+  add("plane.dram_row_activations", [&](size_t k) { return memory[k].row_activations; });
+  add("plane.latency", [&](size_t k) { return timing[k].latency; });
+  measurements.planes.back().adds_up = false;
+}
+
+void seal(const Workload& work, bool finished, Outcome& outcome) {
+  auto add_hits = [&](Digest& digest) {
+    digest.u64(work.rays.size());
+    for (const MachineRay& ray : work.rays) {
+      for (int64_t value : {ray.x0, ray.y0, ray.z0, ray.dx, ray.dy, ray.dz, ray.t_max}) digest.i64(value);
+      digest.u64(ray.id);
+      digest.u32(static_cast<uint32_t>(ray.exponent));
+      digest.u8(ray.dead ? 1 : 0);
+    }
+    for (const HitRecord& hit : outcome.hits) {
+      digest.u64(hit.ray_id);
+      digest.u8(static_cast<uint8_t>(hit.status));
+      digest.u8(static_cast<uint8_t>(hit.face));
+      digest.u8(hit.stop_level);
+      digest.u32(static_cast<uint32_t>(hit.i));
+      digest.u32(static_cast<uint32_t>(hit.j));
+      digest.i64(hit.t);
+      digest.u32(hit.steps);
+    }
+  };
+  Digest hits;
+  add_hits(hits);
+  outcome.hits_digest = hits.hex();
+  if (!finished) return;
+  Digest all;
+  all.text(outcome.hits_digest);
+  for (const auto& [path, value] : outcome.measurements.counters.all()) {
+    all.text(path);
+    all.i64(value);
+  }
+  for (const Plane& plane : outcome.measurements.planes) {
+    all.text(plane.name);
+    for (uint32_t value : plane.values) all.u32(value);
+    all.i64(plane.nobody);
+  }
+  outcome.digest = all.hex();
+}
+
+}  // namespace cuesta

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "models/memory/memory_port.h"
+#include "models/traversal/traverse_unit.h"
+#include "sim/machine.h"
+
+namespace cuesta {
+
+/// Counters over all rays (machine.rays, hits, misses, unfinished_rays, steps), the histogram of steps and the
+/// plane of steps.
+void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, Measurements& measurements);
+
+/// What only time knows: histogram of latencies; planes of issue slots, misses, memory traffic and latency.
+/// `timing` and `memory` in the order of the trace; `traverse_cycles`: over all pipelines.
+void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
+                          std::span<const RayTiming> timing, std::span<const MemoryCost> memory,
+                          int64_t traverse_cycles, Measurements& measurements);
+
+/// Sets the digests; `finished` false: partial, no `digest`.
+void seal(const Workload& work, bool finished, Outcome& outcome);
+
+}  // namespace cuesta
