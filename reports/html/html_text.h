@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cuesta::html {
+
+/// Fit for text and for attribute values in double quotes.
+std::string escape(std::string_view text);
+
+/// Fit for a <script> element: JSON text in which no "</" and no "<!--" can end it.
+std::string safe_json(std::string json);
+
+/// An id or class made of a statistic's name: "def-height_l1-misses".
+std::string anchor_of(std::string_view name);
+
+/// Colour class of the n-th run in a group: "s0" to "s9".
+std::string series_class(size_t index);
+
+std::string base64(std::string_view bytes);
+
+/// Attributes of a mark that answers to pointing, touch and keyboard; lines of `tip` are split by '\n'.
+std::string tip_attributes(std::string_view tip);
+
+}  // namespace cuesta::html

@@ -1,0 +1,70 @@
+#include "reports/result.h"
+
+#include <algorithm>
+
+namespace cuesta {
+namespace {
+
+bool varies(const Result& result, std::string RunEntry::*part) {
+  return std::any_of(result.runs.begin(), result.runs.end(),
+                     [&](const RunEntry& run) { return run.*part != result.runs.front().*part; });
+}
+
+std::string stem_without_number(const Result& result, const RunEntry& run) {
+  std::string stem = varies(result, &RunEntry::scene) ? run.scene + "." : std::string();
+  stem += label_of(result, run);
+  for (char& c : stem) {
+    const bool fit = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+                     c == '_' || c == '-';
+    if (!fit) c = '-';
+  }
+  if (stem.empty() || stem.front() == '.') stem.insert(0, "run");
+  return stem.substr(0, 120);
+}
+
+}  // namespace
+
+std::string label_of(const Result& result, const RunEntry& run) {
+  std::string label = run.algorithm;
+  if (varies(result, &RunEntry::architecture)) label += " " + run.architecture;
+  if (varies(result, &RunEntry::fidelity)) label += " " + run.fidelity;
+  return label;
+}
+
+std::string file_stem_of(const Result& result, size_t run_index) {
+  const std::string stem = stem_without_number(result, result.runs[run_index]);
+  int before = 0;
+  bool alone = true;
+  for (size_t i = 0; i < result.runs.size(); ++i) {
+    if (i == run_index || stem_without_number(result, result.runs[i]) != stem) continue;
+    alone = false;
+    before += i < run_index ? 1 : 0;
+  }
+  return alone ? stem : stem + ".run" + std::to_string(before + 1);
+}
+
+std::vector<RunGroup> group_by_scene(const Result& result) {
+  std::vector<RunGroup> groups;
+  for (size_t i = 0; i < result.runs.size(); ++i) {
+    auto found = std::find_if(groups.begin(), groups.end(),
+                              [&](const RunGroup& group) { return group.scene == result.runs[i].scene; });
+    if (found == groups.end()) found = groups.insert(groups.end(), RunGroup{result.runs[i].scene, {}});
+    found->runs.push_back(i);
+  }
+  return groups;
+}
+
+const RunEntry* baseline_of(const Result& result, const RunEntry& run) {
+  const RunEntry* first = nullptr;
+  bool some_oh = false;
+  for (const RunEntry& other : result.runs) {
+    some_oh = some_oh || other.algorithm == "oh2006";
+    if (other.scene != run.scene) continue;
+    if (first == nullptr) first = &other;
+    const bool same_machine = other.architecture == run.architecture && other.fidelity == run.fidelity;
+    if (other.algorithm == "oh2006" && same_machine) return &other;
+  }
+  return some_oh ? nullptr : first;
+}
+
+}  // namespace cuesta

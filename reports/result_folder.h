@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace cuesta {
+
+/// A result folder in the making. Files go into a hidden folder beside the final one; `commit` renames it, so
+/// that the final name holds either nothing, an older whole result, or the new whole result.
+class ResultFolder {
+ public:
+  /// Throws usage_error when `path` exists and `overwrite` is false, or when it exists and is not a result
+  /// folder (nothing else is ever replaced); Error(kResource) when nothing can be written there.
+  static ResultFolder create(const std::filesystem::path& path, bool overwrite);
+
+  ResultFolder(ResultFolder&& other) noexcept;
+  ResultFolder& operator=(ResultFolder&&) = delete;
+  ~ResultFolder();  ///< without `commit`, removes what was written
+
+  /// Writes one file; `relative` may name folders, which are made. Throws Error(kResource).
+  void write(const std::filesystem::path& relative, std::string_view bytes);
+
+  /// Where writers that need a path of their own put their files; the file's folder exists afterwards.
+  std::filesystem::path file(const std::filesystem::path& relative);
+
+  /// Puts the folder under its final name; the last call. Throws usage_error when something else has taken
+  /// that name meanwhile.
+  void commit();
+
+  const std::filesystem::path& final_path() const { return final_; }
+
+ private:
+  ResultFolder(std::filesystem::path final_path, std::filesystem::path staging, bool overwrite);
+
+  std::filesystem::path final_;
+  std::filesystem::path staging_;  ///< empty after commit
+  bool overwrite_;
+};
+
+}  // namespace cuesta
