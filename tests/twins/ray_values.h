@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "models/architecture.h"
+#include "models/heightmap/pyramid.h"
+#include "models/traversal/hit.h"
+#include "models/traversal/traversal.h"
+
+namespace cuesta::twins {
+
+/// What the rays of a run do, without time: the twins ask, the project's value code answers. A ray is named by
+/// its place in the machine's order.
+class RayValues {
+ public:
+  virtual ~RayValues() = default;
+  /// ray_setup's answer: kMiss = dead at set-up.
+  virtual Visit start(int ray) = 0;
+  /// Where the texel of the ray's next step lies in the pyramid image, bytes.
+  virtual uint64_t address(int ray) const = 0;
+  /// One step, with the texel at `address`.
+  virtual Visit step(int ray) = 0;
+  /// Of a ray that has ended.
+  virtual HitRecord record(int ray) const = 0;
+};
+
+std::unique_ptr<RayValues> make_ray_values(const Architecture& architecture, const Pyramid& pyramid,
+                                           const MapShape& map, const NumberFormat& format,
+                                           const Schedule& schedule, std::span<const MachineRay> rays);
+
+}  // namespace cuesta::twins
