@@ -30,10 +30,14 @@ struct PlainAxis {
   void go_to_level(int level) { node >>= level; }
   int64_t enter_plane(const AxisMap&, int level) const { return node << level; }
   int64_t exit_plane(const AxisMap&, int level) const { return (node + 1) << level; }
-  int64_t middle_plane(const AxisMap&, int level) const { return (2 * node + 1) << (level - 1); }
+  int64_t middle_plane(const AxisMap&, int level) const { return ((2 * node + 1) << level) >> 1; }
   void descend(bool upper) { node = 2 * node + (upper ? 1 : 0); }
-  void ascend() { node >>= 1; }
-  void advance(const AxisMap&, int, bool crossed) { node += crossed ? 1 : 0; }
+  void ascend(bool up) { node >>= static_cast<int>(up); }
+  /// Skipped: crosses to the next node, if `crossed`. Else goes down, to the upper child if `upper`.
+  void move(const AxisMap&, int, bool skipped, bool crossed, bool upper) {
+    const int64_t base = skipped ? node : node + node;
+    node = base + static_cast<int64_t>(skipped ? crossed : upper);
+  }
   bool index_is_even() const { return (node & 1) == 0; }
   bool outside(const AxisMap& map, int level) const { return (node << level) >= map.size; }
   int64_t fetch_index(const AxisMap& map, int level) const {
@@ -79,11 +83,13 @@ struct TiledAxis {
     return base + (inside < map.size ? inside : map.size);
   }
   int64_t middle_plane(const AxisMap&, int level) const {
-    return base + ((2 * node + 1) << (level - 1)) - offset;
+    return base + (((2 * node + 1) << level) >> 1) - offset;
   }
   void descend(bool upper) { node = 2 * node + (upper ? 1 : 0); }
-  void ascend() { node >>= 1; }
-  void advance(const AxisMap& map, int level, bool crossed) {
+  void ascend(bool up) { node >>= static_cast<int>(up); }
+  /// Skipped: crosses to the next node or tile, if `crossed`. Else goes down, to the upper child if `upper`.
+  void move(const AxisMap& map, int level, bool skipped, bool crossed, bool upper) {
+    if (!skipped) return descend(upper);
     if (!crossed) return;
     if (((node + 1) << level) - offset < map.size) {
       ++node;

@@ -144,99 +144,114 @@ Visit start(const Walk<A, G>& walk, const MachineRay& input, RayState<A, G>& ray
   return Visit::kContinue;
 }
 
+namespace traversal_detail {
+
+/// The leaf's answer: a function of ray and cell, never of t_cur. True: `t_hit` and `face` are set.
+template <class A, class G>
+bool leaf_is_hit(const Walk<A, G>& walk, RayState<A, G>& ray, typename A::Time t_z, typename A::Time t_out) {
+  using Time = typename A::Time;
+  const Time in_x = A::at(ray.x, ray.gx.enter_plane(walk.x, ray.level));
+  const Time in_y = A::at(ray.y, ray.gy.enter_plane(walk.y, ray.level));
+  const Time later = std::max(in_x, in_y);
+  const Time t_in = std::max(ray.t_start, later);
+  const Time t_hit = ray.rising ? t_in : std::max(t_in, t_z);
+  if (!(t_hit < std::min(t_out, ray.t_max)) || (ray.rising && !(t_in < t_z))) return false;
+  ray.t_hit = t_hit;
+  if (!ray.rising && t_z >= t_in) {
+    ray.face = HitFace::kTop;
+  } else if (later >= ray.t_start) {
+    ray.face = in_x >= in_y ? HitFace::kWallX : HitFace::kWallY;
+  } else {
+    ray.face = HitFace::kInside;
+  }
+  return true;
+}
+
+/// The neighbour that the ray has just crossed into, tested with the bound of the node it came from.
+template <class A, class G>
+bool neighbour_is_skipped(const Walk<A, G>& walk, const RayState<A, G>& ray, typename A::Time t_out,
+                          typename A::Time t_z) {
+  const auto next_out = std::min(A::at(ray.x, ray.gx.exit_plane(walk.x, ray.level)),
+                                 A::at(ray.y, ray.gy.exit_plane(walk.y, ray.level)));
+  return ray.rising | !(std::max(t_out, t_z) < next_out);
+}
+
+/// Whether a ray that has crossed on `ray.level` goes up; gx, gy are the new indices.
+template <class A, class G>
+bool goes_up(const Walk<A, G>& walk, const RayState<A, G>& ray, bool cross_x, bool cross_y,
+             typename A::Time t_out, typename A::Time t_z) {
+  const bool even_x = ray.gx.index_is_even(), even_y = ray.gy.index_is_even();
+  const bool even_axis = (cross_x & even_x) | (cross_y & even_y);
+  switch (walk.schedule.up) {
+    case UpRule::kNever:
+      return false;
+    case UpRule::kAlways:
+      return true;
+    case UpRule::kInterval:
+      return ray.level % 2 == 0;
+    case UpRule::kEvenAxis:
+      return even_axis;
+    case UpRule::kBothEven:
+      return even_x & even_y;
+    case UpRule::kSelective:
+      return neighbour_is_skipped(walk, ray, t_out, t_z);
+    case UpRule::kSelectiveEven:
+      return even_axis & neighbour_is_skipped(walk, ray, t_out, t_z);
+    case UpRule::kCoherent:
+      return ray.last_crossed == ray.level;
+  }
+  return false;
+}
+
+}  // namespace traversal_detail
+
 /// One step: the ray, standing before node (ray.level, ray.gx, ray.gy), learns the node's bound (at the stop
 /// level: the texel) and hits, descends or crosses.
+/// Crossing or descending is as good as random to a branch predictor: both are computed and one is selected.
 template <class A, class G>
 inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
   using Time = typename A::Time;
-  const Schedule& rules = walk.schedule;
   const int level = ray.level;
+  const int stop_level = walk.schedule.stop_level;
   ++ray.steps;
   const Time t_x = A::at(ray.x, ray.gx.exit_plane(walk.x, level));
   const Time t_y = A::at(ray.y, ray.gy.exit_plane(walk.y, level));
   const Time t_out = std::min(t_x, t_y);
   const Time t_z = A::at(ray.z, bound);
+  const bool leaf = level == stop_level;
+  if (leaf & (ray.rising | (t_z < t_out))) {
+    if (traversal_detail::leaf_is_hit(walk, ray, t_z, t_out)) return Visit::kHit;
+  }
+  const Time reached = ray.rising ? ray.t_cur : std::max(ray.t_cur, t_z);
+  const bool skip = leaf | (ray.rising ? t_z <= ray.t_cur : !(reached < t_out));
 
-  if (level > rules.stop_level) {
-    const Time reached = ray.rising ? ray.t_cur : std::max(ray.t_cur, t_z);
-    const bool skip = ray.rising ? t_z <= ray.t_cur : !(reached < t_out);
-    if (!skip) {
-      ray.t_cur = reached;
-      ray.last_crossed = -1;
-      for (int left = std::min(ray.down, level - rules.stop_level); left > 0; --left) {
+  // Every axis whose plane lies at t_out advances (a corner is crossed diagonally).
+  const bool cross_x = skip & (t_x == t_out), cross_y = skip & (t_y == t_out);
+  const bool upper_x = A::at(ray.x, ray.gx.middle_plane(walk.x, level)) <= reached;
+  const bool upper_y = A::at(ray.y, ray.gy.middle_plane(walk.y, level)) <= reached;
+  ray.gx.move(walk.x, level, skip, cross_x, upper_x);
+  ray.gy.move(walk.y, level, skip, cross_y, upper_y);
+  ray.t_cur = skip ? t_out : reached;
+
+  const bool up = (skip & (level < walk.map.root_level)) &
+                  traversal_detail::goes_up(walk, ray, cross_x, cross_y, t_out, t_z);
+  ray.gx.ascend(up);
+  ray.gy.ascend(up);
+  ray.level = level + static_cast<int>(up) - static_cast<int>(!skip);
+  ray.last_crossed = skip ? level : -1;
+  if (traversal_detail::before_visit(walk, ray) == Visit::kMiss) return Visit::kMiss;
+
+  if (ray.down > 1) {
+    if (skip) {
+      ray.down = 1;
+    } else {
+      for (int left = std::min(ray.down, level - stop_level) - 1; left > 0; --left) {
         ray.gx.descend(A::at(ray.x, ray.gx.middle_plane(walk.x, ray.level)) <= reached);
         ray.gy.descend(A::at(ray.y, ray.gy.middle_plane(walk.y, ray.level)) <= reached);
         --ray.level;
       }
-      return reached >= ray.t_max ? Visit::kMiss : Visit::kContinue;
-    }
-  } else if (ray.rising || t_z < t_out) {
-    const Time in_x = A::at(ray.x, ray.gx.enter_plane(walk.x, level));
-    const Time in_y = A::at(ray.y, ray.gy.enter_plane(walk.y, level));
-    const Time later = std::max(in_x, in_y);
-    const Time t_in = std::max(ray.t_start, later);
-    const Time t_hit = ray.rising ? t_in : std::max(t_in, t_z);
-    if (t_hit < std::min(t_out, ray.t_max) && (!ray.rising || t_in < t_z)) {
-      ray.t_hit = t_hit;
-      if (!ray.rising && t_z >= t_in)
-        ray.face = HitFace::kTop;
-      else if (later >= ray.t_start)
-        ray.face = in_x >= in_y ? HitFace::kWallX : HitFace::kWallY;
-      else
-        ray.face = HitFace::kInside;
-      return Visit::kHit;
     }
   }
-
-  // Cross: every axis whose plane lies at t_out advances (a corner is crossed diagonally).
-  const bool cross_x = t_x == t_out, cross_y = t_y == t_out;
-  ray.gx.advance(walk.x, level, cross_x);
-  ray.gy.advance(walk.y, level, cross_y);
-  ray.t_cur = t_out;
-  ray.down = 1;
-  if (traversal_detail::before_visit(walk, ray) == Visit::kMiss) return Visit::kMiss;
-
-  if (level < walk.map.root_level && rules.up != UpRule::kNever) {
-    const bool even_axis = (cross_x && ray.gx.index_is_even()) || (cross_y && ray.gy.index_is_even());
-    auto neighbour_is_skipped = [&] {
-      if (ray.rising) return true;
-      const Time next_out = std::min(A::at(ray.x, ray.gx.exit_plane(walk.x, level)),
-                                     A::at(ray.y, ray.gy.exit_plane(walk.y, level)));
-      return !(std::max(t_out, t_z) < next_out);
-    };
-    bool up = false;
-    switch (rules.up) {
-      case UpRule::kNever:
-        break;
-      case UpRule::kAlways:
-        up = true;
-        break;
-      case UpRule::kInterval:
-        up = level % 2 == 0;
-        break;
-      case UpRule::kEvenAxis:
-        up = even_axis;
-        break;
-      case UpRule::kBothEven:
-        up = ray.gx.index_is_even() && ray.gy.index_is_even();
-        break;
-      case UpRule::kSelective:
-        up = neighbour_is_skipped();
-        break;
-      case UpRule::kSelectiveEven:
-        up = even_axis && neighbour_is_skipped();
-        break;
-      case UpRule::kCoherent:
-        up = ray.last_crossed == level;
-        break;
-    }
-    if (up) {
-      ray.gx.ascend();
-      ray.gy.ascend();
-      ++ray.level;
-    }
-  }
-  ray.last_crossed = level;
   return Visit::kContinue;
 }
 
