@@ -47,7 +47,8 @@ struct ExactRay {
 
   /// Time in machine units, rounded to long double: for reports and for comparing with rounded times.
   long double in_machine_units(const ExactTime<Int>& t) const {
-    return static_cast<long double>(t.num) * static_cast<long double>(machine_units) / static_cast<long double>(t.den);
+    return static_cast<long double>(t.num) * static_cast<long double>(machine_units) /
+           static_cast<long double>(t.den);
   }
 };
 

@@ -31,7 +31,8 @@ OracleHit<Int> oracle_ask_cell(const ExactRay<Int>& ray, const OracleMap& map, c
   const ExactTime<Int> t_out = earlier(ray.x.plane(u.upper), ray.y.plane(v.upper));
   OracleHit<Int> answer;
   if (t_in >= t_out || t_in >= ray.t_max) return answer;
-  const ExactTime<Int> surface = ray.z.reaches(map.values[static_cast<size_t>(v.stored) * map.width + u.stored]);
+  const ExactTime<Int> surface =
+      ray.z.reaches(map.values[static_cast<size_t>(v.stored) * map.width + u.stored]);
   bool top = false;
   answer.t = t_in;
   if (ray.z.sign > 0) {
@@ -44,10 +45,10 @@ OracleHit<Int> oracle_ask_cell(const ExactRay<Int>& ray, const OracleMap& map, c
   if (!answer.hit) return answer;
   answer.i = u.index;
   answer.j = v.index;
-  answer.face = top                                   ? HitFace::kTop
+  answer.face = top                                 ? HitFace::kTop
                 : later(lower_x, lower_y) < t_start ? HitFace::kInside
-                : lower_x >= lower_y                  ? HitFace::kWallX
-                                                      : HitFace::kWallY;
+                : lower_x >= lower_y                ? HitFace::kWallX
+                                                    : HitFace::kWallY;
   return answer;
 }
 

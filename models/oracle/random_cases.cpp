@@ -9,15 +9,20 @@ namespace {
 
 enum class MapKind { kFlat, kNoise, kChecker, kSpikes, kSteps, kFractal, kNearlyFull, kCount };
 
-constexpr std::string_view kMapKinds[] = {"flat", "noise", "checker", "spikes", "steps", "fractal", "nearly full"};
+constexpr std::string_view kMapKinds[] = {"flat",  "noise",   "checker",    "spikes",
+                                          "steps", "fractal", "nearly full"};
 
 int random_side(Random& random, int max_side) {
   const int side = static_cast<int>(random.between(1, max_side));
   switch (random.below(5)) {
-    case 0: return 1;
-    case 1: return static_cast<int>(std::bit_floor(static_cast<unsigned>(side)));
-    case 2: return std::min(max_side, static_cast<int>(std::bit_floor(static_cast<unsigned>(side))) + 1);
-    default: return side;
+    case 0:
+      return 1;
+    case 1:
+      return static_cast<int>(std::bit_floor(static_cast<unsigned>(side)));
+    case 2:
+      return std::min(max_side, static_cast<int>(std::bit_floor(static_cast<unsigned>(side))) + 1);
+    default:
+      return side;
   }
 }
 
@@ -26,7 +31,8 @@ double fractal_height(uint64_t seed, int i, int j) {
   double sum = 0, weight = 0.5;
   for (int shift = 4; shift >= 0; --shift, weight *= 0.5) {
     const uint64_t cell = seed + static_cast<uint64_t>(i >> shift) * 0x9E3779B97F4A7C15ull +
-                          static_cast<uint64_t>(j >> shift) * 0xC2B2AE3D27D4EB4Full + static_cast<uint64_t>(shift);
+                          static_cast<uint64_t>(j >> shift) * 0xC2B2AE3D27D4EB4Full +
+                          static_cast<uint64_t>(shift);
     sum += weight * static_cast<double>(Random::mix(cell) >> 11) * 0x1p-53;
   }
   return sum;
@@ -41,13 +47,26 @@ void fill(Random& random, MapKind kind, HeightGrid& grid) {
     for (int i = 0; i < grid.width; ++i) {
       int64_t value = low;
       switch (kind) {
-        case MapKind::kNoise: value = random.between(low, high); break;
-        case MapKind::kChecker: value = ((i ^ j) & 1) != 0 ? high : low; break;
-        case MapKind::kSpikes: value = random.chance(rarity) ? high : low; break;
-        case MapKind::kSteps: value = std::min(full, low + (high - low) * (i / 3 + j / 2) / 8); break;
-        case MapKind::kFractal: value = static_cast<int64_t>(fractal_height(seed, i, j) * static_cast<double>(full)); break;
-        case MapKind::kNearlyFull: value = random.between(std::max<int64_t>(0, full - 2), full); break;
-        default: break;
+        case MapKind::kNoise:
+          value = random.between(low, high);
+          break;
+        case MapKind::kChecker:
+          value = ((i ^ j) & 1) != 0 ? high : low;
+          break;
+        case MapKind::kSpikes:
+          value = random.chance(rarity) ? high : low;
+          break;
+        case MapKind::kSteps:
+          value = std::min(full, low + (high - low) * (i / 3 + j / 2) / 8);
+          break;
+        case MapKind::kFractal:
+          value = static_cast<int64_t>(fractal_height(seed, i, j) * static_cast<double>(full));
+          break;
+        case MapKind::kNearlyFull:
+          value = random.between(std::max<int64_t>(0, full - 2), full);
+          break;
+        default:
+          break;
       }
       grid.at(i, j) = static_cast<uint16_t>(value);
     }
@@ -61,11 +80,16 @@ double random_position(Random& random, double size, int fraction_bits, double sp
   const auto whole = static_cast<double>(static_cast<int64_t>(position));
   const double grid = static_cast<double>(int64_t{1} << fraction_bits);
   switch (random.below(5)) {
-    case 0: return whole;
-    case 1: return whole + 0.5;
-    case 2: return static_cast<double>(static_cast<int64_t>(position * grid)) / grid;
-    case 3: return random.chance(0.5) ? 0.0 : size;
-    default: return position;
+    case 0:
+      return whole;
+    case 1:
+      return whole + 0.5;
+    case 2:
+      return static_cast<double>(static_cast<int64_t>(position * grid)) / grid;
+    case 3:
+      return random.chance(0.5) ? 0.0 : size;
+    default:
+      return position;
   }
 }
 
@@ -73,11 +97,16 @@ double random_position(Random& random, double size, int fraction_bits, double sp
 double random_component(Random& random) {
   const double sign = random.chance(0.5) ? -1 : 1;
   switch (random.below(6)) {
-    case 0: return 0;
-    case 1: return sign;
-    case 2: return sign * static_cast<double>(random.between(1, 8));
-    case 3: return sign * random.unit() * 0x1p-20;
-    default: return sign * random.unit();
+    case 0:
+      return 0;
+    case 1:
+      return sign;
+    case 2:
+      return sign * static_cast<double>(random.between(1, 8));
+    case 3:
+      return sign * random.unit() * 0x1p-20;
+    default:
+      return sign * random.unit();
   }
 }
 
@@ -100,7 +129,8 @@ RandomMap random_map(uint64_t seed, int max_side) {
   map.seed = seed;
   map.grid.width = random_side(random, max_side);
   map.grid.height = random.chance(0.3) ? map.grid.width : random_side(random, max_side);
-  map.grid.bits = random.chance(0.6) ? (random.chance(0.5) ? 8 : 16) : static_cast<int>(random.between(1, 16));
+  map.grid.bits =
+      random.chance(0.6) ? (random.chance(0.5) ? 8 : 16) : static_cast<int>(random.between(1, 16));
   map.grid.texels.resize(static_cast<size_t>(map.grid.width) * static_cast<size_t>(map.grid.height));
   const auto kind = static_cast<MapKind>(random.below(static_cast<uint64_t>(MapKind::kCount)));
   map.kind = kMapKinds[static_cast<size_t>(kind)];
@@ -121,8 +151,8 @@ TracedRay random_ray(Random& random, const RandomMap& map, uint64_t id) {
   const double spread = map.shape.address_mode == AddressMode::kBorder && random.chance(0.5) ? 0.9 : 0;
   TracedRay ray;
   ray.id = id;
-  double origin[3] = {random_position(random, size[0], f, spread), random_position(random, size[1], f, spread),
-                      random_position(random, size[2], f, 0)};
+  double origin[3] = {random_position(random, size[0], f, spread),
+                      random_position(random, size[1], f, spread), random_position(random, size[2], f, 0)};
   if (random.chance(0.5)) origin[2] = size[2];
   if (random.chance(0.05)) origin[2] += random.unit() * size[2];
   double direction[3] = {random_component(random), random_component(random), random_component(random)};
@@ -131,7 +161,8 @@ TracedRay random_ray(Random& random, const RandomMap& map, uint64_t id) {
   direction[2] *= slope < 2 ? steep : slope < 5 ? -steep / 16 : slope == 5 ? 0 : -steep;
   if (slope >= 2 && slope <= 4 && direction[2] > 0 && random.chance(0.7)) direction[2] = -direction[2];
   if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0) direction[2] = -1;
-  if (random.chance(0.3)) ray.t_max = static_cast<double>(random.between(1, 16)) * (random.chance(0.5) ? 1 : 0.37);
+  if (random.chance(0.3))
+    ray.t_max = static_cast<double>(random.between(1, 16)) * (random.chance(0.5) ? 1 : 0.37);
   if (random.chance(0.2)) {  // a secondary ray, as if from a wall or a top
     ray.kind = RayKind::kShadow;
     const uint64_t axis = random.below(3);
@@ -159,20 +190,22 @@ std::string describe(const RandomMap& map) {
 
 std::string describe(const TracedRay& ray) {
   char text[512];
-  std::snprintf(text, sizeof text,
-                "ray %llu: origin (%.17g, %.17g, %.17g), direction (%.17g, %.17g, %.17g), t %.17g to %.17g, kind %d, "
-                "fixed axis %d at %d",
-                static_cast<unsigned long long>(ray.id), ray.origin[0], ray.origin[1], ray.origin[2],
-                ray.direction[0], ray.direction[1], ray.direction[2], ray.t_min, ray.t_max,
-                static_cast<int>(ray.kind), static_cast<int>(ray.fixed_axis), ray.fixed_coordinate);
+  std::snprintf(
+      text, sizeof text,
+      "ray %llu: origin (%.17g, %.17g, %.17g), direction (%.17g, %.17g, %.17g), t %.17g to %.17g, kind %d, "
+      "fixed axis %d at %d",
+      static_cast<unsigned long long>(ray.id), ray.origin[0], ray.origin[1], ray.origin[2], ray.direction[0],
+      ray.direction[1], ray.direction[2], ray.t_min, ray.t_max, static_cast<int>(ray.kind),
+      static_cast<int>(ray.fixed_axis), ray.fixed_coordinate);
   return text;
 }
 
 std::string describe(const MachineRay& ray) {
   char text[256];
   std::snprintf(text, sizeof text, "x0 %lld, y0 %lld, z0 %lld, dx %lld, dy %lld, dz %lld, t_max %lld, q %d%s",
-                static_cast<long long>(ray.x0), static_cast<long long>(ray.y0), static_cast<long long>(ray.z0),
-                static_cast<long long>(ray.dx), static_cast<long long>(ray.dy), static_cast<long long>(ray.dz),
+                static_cast<long long>(ray.x0), static_cast<long long>(ray.y0),
+                static_cast<long long>(ray.z0), static_cast<long long>(ray.dx),
+                static_cast<long long>(ray.dy), static_cast<long long>(ray.dz),
                 static_cast<long long>(ray.t_max), ray.exponent, ray.dead ? ", dead" : "");
   return text;
 }

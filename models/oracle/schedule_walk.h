@@ -118,14 +118,22 @@ class OracleScheduleWalk {
     const bool even_axis = (crossed_x && i % 2 == 0) || (crossed_y && j % 2 == 0);
     const auto selective = [&] { return ray_.z.sign > 0 || skipped(node_here(level), node.bound); };
     switch (rule) {
-      case UpRule::kNever: return false;
-      case UpRule::kAlways: return true;
-      case UpRule::kInterval: return level % 2 == 0;
-      case UpRule::kEvenAxis: return even_axis;
-      case UpRule::kBothEven: return i % 2 == 0 && j % 2 == 0;
-      case UpRule::kSelective: return selective();
-      case UpRule::kSelectiveEven: return even_axis && selective();
-      case UpRule::kCoherent: return crossed_here_before;
+      case UpRule::kNever:
+        return false;
+      case UpRule::kAlways:
+        return true;
+      case UpRule::kInterval:
+        return level % 2 == 0;
+      case UpRule::kEvenAxis:
+        return even_axis;
+      case UpRule::kBothEven:
+        return i % 2 == 0 && j % 2 == 0;
+      case UpRule::kSelective:
+        return selective();
+      case UpRule::kSelectiveEven:
+        return even_axis && selective();
+      case UpRule::kCoherent:
+        return crossed_here_before;
     }
     return false;
   }

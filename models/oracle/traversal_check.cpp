@@ -54,24 +54,36 @@ std::vector<Schedule> schedules(const TraversalCheckOptions& options) {
 long double machine_time(const HitRecord& record, Arithmetic arithmetic, const NumberFormat& format) {
   const int shift = format.fraction_bits + format.direction_bits - 1 + format.mantissa_bits;
   switch (arithmetic) {
-    case Arithmetic::kFixed: break;
-    case Arithmetic::kFloat: return std::ldexp(std::bit_cast<float>(static_cast<uint32_t>(record.t)), shift);
-    case Arithmetic::kDouble: return std::ldexp(std::bit_cast<double>(record.t), shift);
+    case Arithmetic::kFixed:
+      break;
+    case Arithmetic::kFloat:
+      return std::ldexp(std::bit_cast<float>(static_cast<uint32_t>(record.t)), shift);
+    case Arithmetic::kDouble:
+      return std::ldexp(std::bit_cast<double>(record.t), shift);
   }
   return static_cast<long double>(record.t);
 }
 
+/// Every second step at least is a crossing, but for descents, of which each level above the leaves is repaid by
+/// an ascent; crossings are as many as there are planes in 2^w2 tiles.
+int64_t most_steps(const RandomMap& map) {
+  const int64_t planes = int64_t{map.shape.width} + map.shape.height;
+  return 4 * (planes << map.format.tile_bits) + 4 * map.shape.root_level + 64;
+}
+
 template <class A, class G>
-HitRecord limited_walk(const RandomMap& map, const Schedule& schedule, const Pyramid& bounds, const Pyramid& leaves,
-                       const MachineRay& input) {
+HitRecord limited_walk(const RandomMap& map, const Schedule& schedule, const Pyramid& bounds,
+                       const Pyramid& leaves, const MachineRay& input) {
   const Walk<A, G> walk(map.shape, map.format, schedule, bounds.at(bounds.root_level(), 0, 0));
   RayState<A, G> ray;
+  const int64_t limit = most_steps(map);
   Visit state = start(walk, input, ray);
   while (state == Visit::kContinue) {
     const Pyramid& pyramid = ray.level == schedule.stop_level ? leaves : bounds;
-    state = visit(walk, ray, pyramid.at(ray.level, static_cast<int>(ray.gx.fetch_index(walk.x, ray.level)),
-                                        static_cast<int>(ray.gy.fetch_index(walk.y, ray.level))));
-    if (ray.steps > TraversalCheck::kVisitLimit) {
+    state = visit(walk, ray,
+                  pyramid.at(ray.level, static_cast<int>(ray.gx.fetch_index(walk.x, ray.level)),
+                             static_cast<int>(ray.gy.fetch_index(walk.y, ray.level))));
+    if (ray.steps > limit) {
       HitRecord record;
       record.status = HitStatus::kDidNotFinish;
       return record;
@@ -99,8 +111,8 @@ struct TraversalChecker::State {
   void fail(TraversalCheck& counts, const TracedRay& traced, const MachineRay& ray, const std::string& what,
             const HitRecord& expected, const HitRecord& found) const {
     if (!counts.first_failure.empty()) return;
-    counts.first_failure = what + "\n  " + describe(map) + "\n  " + describe(traced) + "\n  machine ray: " +
-                           describe(ray) + "\n  expected: " + describe(expected) +
+    counts.first_failure = what + "\n  " + describe(map) + "\n  " + describe(traced) +
+                           "\n  machine ray: " + describe(ray) + "\n  expected: " + describe(expected) +
                            "\n  found:    " + describe(found);
   }
 
@@ -115,7 +127,8 @@ TraversalChecker::TraversalChecker(const RandomMap& map, const TraversalCheckOpt
   State& s = *state_;
   s.leaves = options.stop_level > 0 ? build_mean_pyramid(map.grid) : s.max_pyramid;
   const int level = options.stop_level;
-  s.oracle = oracle_map(s.leaves.level(level), s.leaves.width(level), s.leaves.height(level), level, map.shape);
+  s.oracle =
+      oracle_map(s.leaves.level(level), s.leaves.width(level), s.leaves.height(level), level, map.shape);
 }
 
 TraversalChecker::~TraversalChecker() { delete state_; }
@@ -135,8 +148,10 @@ void TraversalChecker::State::check_schedules(const TracedRay& traced, const Mac
       ++counts.comparisons;
       if (same_answer(found, plain) && found.status != HitStatus::kDidNotFinish) continue;
       ++counts.mismatches;
-      fail(counts, traced, ray, std::string(kArithmeticNames[a]) + ", " + describe(schedules[s]) +
-           ": another answer than the leaf walk's", plain, found);
+      fail(counts, traced, ray,
+           std::string(kArithmeticNames[a]) + ", " + describe(schedules[s]) +
+               ": another answer than the leaf walk's",
+           plain, found);
     }
   }
 }
@@ -151,7 +166,8 @@ void TraversalChecker::State::check_oracle(const TracedRay& traced, const Machin
   const bool steps_too = options.stop_level == 0;
   if (!same_answer(fixed[0], expected) || (steps_too && fixed[0].steps != expected.steps)) {
     ++counts.oracle_errors;
-    fail(counts, traced, ray, "fixed, leaf walk: another answer than the exact leaf walk's", expected, fixed[0]);
+    fail(counts, traced, ray, "fixed, leaf walk: another answer than the exact leaf walk's", expected,
+         fixed[0]);
   }
   if (const auto brute = oracle_brute_force(exact, oracle)) {
     ++counts.oracle_brute;
@@ -166,7 +182,8 @@ void TraversalChecker::State::check_oracle(const TracedRay& traced, const Machin
 
 void TraversalChecker::State::check_steps(const TracedRay& traced, const MachineRay& ray,
                                           TraversalCheck& counts) const {
-  OracleScheduleWalk<Int128> exact(exact_ray(ray, map.shape, map.format, OracleInput::kSetup), map.grid, map.shape);
+  OracleScheduleWalk<Int128> exact(exact_ray(ray, map.shape, map.format, OracleInput::kSetup), map.grid,
+                                   map.shape);
   const int64_t t_end = (int64_t{1} << time_bits(map.shape, map.format)) - 1;
   for (size_t s = 0; s < schedules.size(); ++s) {
     // Saturated, every far plane lies at t_end: the span of a ray without end is not defined by exact times.
@@ -175,8 +192,9 @@ void TraversalChecker::State::check_steps(const TracedRay& traced, const Machine
     ++counts.step_comparisons;
     if (same_answer(fixed[s], expected) && fixed[s].steps == expected.steps) continue;
     ++counts.step_errors;
-    fail(counts, traced, ray, "fixed, " + describe(schedules[s]) + ": other steps than the same schedule walked exactly",
-         expected, fixed[s]);
+    fail(counts, traced, ray,
+         "fixed, " + describe(schedules[s]) + ": other steps than the same schedule walked exactly", expected,
+         fixed[s]);
   }
 }
 
@@ -193,10 +211,11 @@ void TraversalChecker::State::judge_all(const TracedRay& traced, const MachineRa
     counts.verdicts[a].add(verdict);
     if (verdict == Verdict::kExact && truth.hit && truth.face != found.face) ++counts.other_face[a];
     if (verdict == Verdict::kExact || verdict == Verdict::kTie || !counts.first_other[a].empty()) continue;
-    counts.first_other[a] = std::string(name_of(verdict)) + "\n  " + describe(map) + "\n  " +
-                            describe(traced) + "\n  machine ray: " + describe(ray) +
-                            "\n  exact: " + (truth.hit ? "hit (" + std::to_string(truth.i) + ", " +
-                            std::to_string(truth.j) + ")" : "miss") + "\n  found: " + describe(found);
+    counts.first_other[a] =
+        std::string(name_of(verdict)) + "\n  " + describe(map) + "\n  " + describe(traced) +
+        "\n  machine ray: " + describe(ray) + "\n  exact: " +
+        (truth.hit ? "hit (" + std::to_string(truth.i) + ", " + std::to_string(truth.j) + ")" : "miss") +
+        "\n  found: " + describe(found);
   }
 }
 

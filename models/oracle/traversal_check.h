@@ -13,31 +13,29 @@ namespace cuesta {
 struct TraversalCheck {
   int64_t maps = 0;
   int64_t rays = 0;
-  int64_t hits = 0;              ///< of the rays, by the leaf walk in fixed point
-  int64_t comparisons = 0;       ///< (ray, schedule, arithmetic) against `dda` in the same arithmetic
-  int64_t mismatches = 0;        ///< of those: hit, cell, t or face differ
-  int64_t endless = 0;           ///< walks stopped at kVisitLimit
-  int64_t oracle_walks = 0;      ///< fixed-point `dda` against the exact leaf walk, of the ray as set up
-  int64_t oracle_brute = 0;      ///< and against brute force over all cells
+  int64_t hits = 0;          ///< of the rays, by the leaf walk in fixed point
+  int64_t comparisons = 0;   ///< (ray, schedule, arithmetic) against `dda` in the same arithmetic
+  int64_t mismatches = 0;    ///< of those: hit, cell, t or face differ
+  int64_t endless = 0;       ///< walks stopped after more steps than any walk can need
+  int64_t oracle_walks = 0;  ///< fixed-point `dda` against the exact leaf walk, of the ray as set up
+  int64_t oracle_brute = 0;  ///< and against brute force over all cells
   int64_t oracle_errors = 0;
   int64_t step_comparisons = 0;  ///< fixed-point steps of a schedule against the same schedule walked exactly
   int64_t step_errors = 0;
-  std::array<VerdictCounts, 3> verdicts;          ///< by Arithmetic, of the ray at the machine's input
-  std::array<int64_t, 3> other_face{};            ///< right cell, another face
-  std::array<std::string, 3> first_other{};       ///< first verdict that is neither exact nor a tie, decoded
-  std::string first_failure;                      ///< decoded: map, ray, both answers
-
-  static constexpr int64_t kVisitLimit = 1 << 17;
+  std::array<VerdictCounts, 3> verdicts;     ///< by Arithmetic, of the ray at the machine's input
+  std::array<int64_t, 3> other_face{};       ///< right cell, another face
+  std::array<std::string, 3> first_other{};  ///< first verdict that is neither exact nor a tie, decoded
+  std::string first_failure;                 ///< decoded: map, ray, both answers
 
   bool passed() const { return mismatches == 0 && endless == 0 && oracle_errors == 0 && step_errors == 0; }
   void add(const TraversalCheck& other);
 };
 
 struct TraversalCheckOptions {
-  bool all_combinations = true;   ///< 3 starts x 3 downs x 8 ups besides the named algorithms
+  bool all_combinations = true;  ///< 3 starts x 3 downs x 8 ups besides the named algorithms
   bool verdicts = true;
-  int step_check_every = 8;       ///< rays; 0: never
-  int stop_level = 0;             ///< > 0: leaves are the mean pyramid's texels
+  int step_check_every = 8;  ///< rays; 0: never
+  int stop_level = 0;        ///< > 0: leaves are the mean pyramid's texels
 };
 
 /// Holds `ray` on `map` under every schedule and arithmetic against the leaf walk, and fixed point against both

@@ -29,7 +29,8 @@ std::optional<ExactTime<Int>> first_touch(const ExactRay<Int>& ray, const Oracle
   enter(ray.y.plane(v.lower));
   leave(closed_above(ray.x).plane(u.upper));
   leave(closed_above(ray.y).plane(v.upper));
-  const ExactTime<Int> surface = ray.z.reaches(map.values[static_cast<size_t>(v.stored) * map.width + u.stored]);
+  const ExactTime<Int> surface =
+      ray.z.reaches(map.values[static_cast<size_t>(v.stored) * map.width + u.stored]);
   if (ray.z.sign < 0) {
     enter(ray.z.reaches(map.shape.full_scale()));
     if (map.shape.address_mode == AddressMode::kBorder) {

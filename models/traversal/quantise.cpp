@@ -108,11 +108,14 @@ MachineRay quantise(const TracedRay& ray, const MapShape& map, const NumberForma
     for (int a = 0; a < 3; ++a) origin[a] = ray.origin[a] + skipped * ray.direction[a];
   }
   t_max -= skipped;
-  out.dead = origin[2] > 1 || origin[2] < 0 || !(t_max > 0);
+  // A secondary ray starts on the surface: what of its height lies outside the slab is rounding, and is clamped.
+  const bool outside = ray.fixed_axis == FixedAxis::kNone && (origin[2] > 1 || origin[2] < 0);
+  out.dead = outside || !(t_max > 0);
 
   int64_t* const place[3] = {&out.x0, &out.y0, &out.z0};
   for (int a = 0; a < 3; ++a) {
-    const double position = scaled(origin[a] * scale[a], f);
+    const double inside = a < 2 ? origin[a] : std::clamp(origin[a], 0.0, 1.0);
+    const double position = scaled(inside * scale[a], f);
     const int bits = map.root_level + format.tile_bits + f;
     if (a < 2 && !(position < scaled(1, bits) && position > -scaled(1, bits))) {
       refuse(ray, std::string("origin ") + "uv"[a] + " = " + std::to_string(origin[a]) +
@@ -122,9 +125,16 @@ MachineRay quantise(const TracedRay& ray, const MapShape& map, const NumberForma
     *place[a] = out.dead && a == 2 ? 0 : round_to_even(position);
   }
   if (ray.fixed_axis != FixedAxis::kNone) {
-    *place[static_cast<int>(ray.fixed_axis) - 1] = static_cast<int64_t>(ray.fixed_coordinate) << f;
+    const int a = static_cast<int>(ray.fixed_axis) - 1;
+    const int64_t fixed = ray.fixed_coordinate;
+    const int64_t most = a == 2 ? map.full_scale() : int64_t{1} << (map.root_level + format.tile_bits);
+    if (fixed > most || fixed < (a == 2 ? 0 : -most)) {
+      refuse(ray, std::string("its fixed coordinate ") + "uvz"[a] + " = " + std::to_string(fixed) +
+                      " lies outside the map's " + (a == 2 ? "heights" : "tiles") + ", at most " +
+                      std::to_string(most));
+    }
+    *place[a] = fixed << f;
   }
-  out.z0 = std::clamp<int64_t>(out.z0, 0, map.full_scale() << f);
 
   int64_t d[3];
   out.exponent = quantise_direction(ray.direction, scale, format.direction_bits, d);

@@ -1,5 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -43,13 +43,14 @@ class VerifyOracleCommand : public Command {
     }
     print(counts);
     if (!counts.passed()) {
-      throw Error(ExitCode::kMismatch,
-                  fmt::format("verify oracle: {} mismatches, {} endless walks, {} oracle errors and {} step errors "
-                              "with seed {}; the first is decoded above.",
-                              counts.mismatches, counts.endless, counts.oracle_errors, counts.step_errors, seed_));
+      throw Error(
+          ExitCode::kMismatch,
+          fmt::format("verify oracle: {} mismatches, {} endless walks, {} oracle errors and {} step errors "
+                      "with seed {}; the first is decoded above.",
+                      counts.mismatches, counts.endless, counts.oracle_errors, counts.step_errors, seed_));
     }
-    fmt::print("verify oracle: {} rays, {} comparisons, 0 mismatches, 0 endless walks, 0 oracle errors{}\n", counts.rays,
-               counts.comparisons, stopped ? "; stopped before the end" : "");
+    fmt::print("verify oracle: {} rays, {} comparisons, 0 mismatches, 0 endless walks, 0 oracle errors{}\n",
+               counts.rays, counts.comparisons, stopped ? "; stopped before the end" : "");
     return stopped ? ExitCode::kIncomplete : ExitCode::kOk;
   }
 
@@ -59,8 +60,8 @@ class VerifyOracleCommand : public Command {
     fmt::print("every schedule against dda, in the same arithmetic (hit, cell, t, face):\n");
     fmt::print("  {} comparisons, {} mismatches, {} endless walks\n", c.comparisons, c.mismatches, c.endless);
     fmt::print("fixed-point dda against exact arithmetic (hit, cell, t, face, of the ray as set up):\n");
-    fmt::print("  {} leaf walks, {} by brute force over all cells, {} errors\n", c.oracle_walks, c.oracle_brute,
-               c.oracle_errors);
+    fmt::print("  {} leaf walks, {} by brute force over all cells, {} errors\n", c.oracle_walks,
+               c.oracle_brute, c.oracle_errors);
     fmt::print("fixed-point steps against the same schedule walked exactly:\n");
     fmt::print("  {} comparisons, {} errors\n", c.step_comparisons, c.step_errors);
     fmt::print("dda against the exact answer to the machine's input (rays in the default number format):\n");
