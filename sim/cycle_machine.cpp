@@ -11,6 +11,7 @@
 #include "models/output/result_writer.h"
 #include "models/traversal/ray_setup_unit.h"
 #include "sim/outcome.h"
+#include "sim/traversal_source.h"
 
 namespace cuesta {
 
@@ -19,17 +20,15 @@ namespace {
 constexpr Cycle kCyclesPerReport = 1 << 20;
 
 /// The machine: instances and bindings.
-template <class A, class G>
 class CycleMachine {
  public:
   CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks)
       : work_(work),
         architecture_(architecture),
-        walk_(work.map, number_format(architecture.traverse, work.map), work.schedule,
-              work.pyramid->at(work.pyramid->root_level(), 0, 0)),
         layout_(architecture.texels.layout, *work.pyramid),
         order_(dispatch_order(work.pixel_of_ray, work.width, architecture.ray_dispatch.order,
                               architecture.ray_dispatch.tile_size)),
+        source_(make_traversal_source(work, architecture, layout_, order_)),
         pipelines_(architecture.machine.pipelines),
         windows_(pipelines_ > 1 || hooks.stalls != nullptr),
         costs_(work.rays.size()),
@@ -113,14 +112,14 @@ class CycleMachine {
           l1(m.architecture_.height_l1, m.architecture_.traverse.contexts, m.layout_.size_bytes(), p,
              m.memory_, stalls),
           setup(m.architecture_.ray_setup, m.architecture_.ray_dispatch, p, m.dispatch_, stalls),
-          traverse(m.architecture_.traverse, m.walk_, *m.work_.pyramid, m.layout_, m.work_.rays, m.order_, p,
-                   m.dispatch_, setup, l1, hit_queue, writer, m.hits_, m.timing_, m.watchdog_, stalls) {}
+          traverse(m.architecture_.traverse, *m.source_, m.order_, p, m.dispatch_, setup, l1, hit_queue,
+                   writer, m.hits_, m.timing_, m.watchdog_, stalls) {}
 
     HitQueue hit_queue;
     ResultWriter writer;
     HeightL1 l1;
     RaySetupUnit setup;
-    TraverseUnit<A, G> traverse;
+    TraverseUnit traverse;
   };
 
   std::vector<uint16_t> targets() const {
@@ -149,9 +148,9 @@ class CycleMachine {
 
   const Workload& work_;
   const Architecture& architecture_;
-  Walk<A, G> walk_;
   TexelLayout layout_;
   std::vector<uint32_t> order_;
+  std::unique_ptr<StepSource> source_;
   int pipelines_;
   bool windows_;  ///< pipelines advance in turn, a window at a time
   std::vector<MemoryCost> costs_;
@@ -164,8 +163,7 @@ class CycleMachine {
   std::vector<std::unique_ptr<Pipeline>> pipeline_;
 };
 
-template <class A, class G>
-void CycleMachine<A, G>::count(Counters& counters, Cycle cycles) const {
+void CycleMachine::count(Counters& counters, Cycle cycles) const {
   counters.set("machine.cycles", cycles);
   counters.set("ray_dispatch.rays", dispatch_.sent());
   for (size_t p = 0; p < pipeline_.size(); ++p) {
@@ -224,11 +222,9 @@ void CycleMachine<A, G>::count(Counters& counters, Cycle cycles) const {
 
 Outcome run_cycle_detailed(const Workload& work, const Architecture& architecture, const Progress& progress,
                            const CycleHooks& hooks, CycleDetail* detail) {
-  return with_traversal_types(architecture.traverse.arithmetic, work.map, [&]<class A, class G>() {
-    CycleMachine<A, G> machine(work, architecture, hooks);
-    const bool finished = machine.run(progress);
-    return machine.outcome(finished, detail);
-  });
+  CycleMachine machine(work, architecture, hooks);
+  const bool finished = machine.run(progress);
+  return machine.outcome(finished, detail);
 }
 
 Outcome run_cycle(const Workload& work, const Architecture& architecture, const Progress& progress) {

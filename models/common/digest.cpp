@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstring>
 
 #include "models/common/error.h"
 
@@ -45,7 +46,13 @@ void Digest::text(std::string_view characters) {
 void Digest::little_endian(uint64_t value, int size) {
   State& state = *state_;
   if (state.used + 8 > state.buffer.size()) state.flush();
-  for (int k = 0; k < size; ++k) state.buffer[state.used++] = static_cast<unsigned char>(value >> (8 * k));
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(state.buffer.data() + state.used, &value, 8);  // the rest of the eight is overwritten next
+  } else {
+    for (int k = 0; k < size; ++k)
+      state.buffer[state.used + static_cast<size_t>(k)] = static_cast<unsigned char>(value >> (8 * k));
+  }
+  state.used += static_cast<size_t>(size);
 }
 
 std::string Digest::hex() {

@@ -54,17 +54,18 @@ class HeightL1 final : public MemoryClient {
         next_waiter_(static_cast<size_t>(contexts), -1),
         seen_((image_bytes >> line_shift_) / 64 + 1, 0) {}
 
-  /// The context's ray asks for the texel at `address` in `cycle`; `ray` owns the miss that it may cause.
-  Answer lookup(uint64_t address, int context, uint32_t ray, Cycle cycle) {
-    const uint32_t line = static_cast<uint32_t>(address >> line_shift_);
+  /// The context's ray asks for a texel of `line` (address / line_bytes) in `cycle`; `ray` owns the miss that it
+  /// may cause.
+  Answer lookup(uint32_t line, int context, uint32_t ray, Cycle cycle) {
     const uint32_t first = (line & set_mask_) * ways_;
     ++counts_.accesses;
-    for (uint32_t way = first; way < first + ways_; ++way) {
-      if (lines_[way] == line) {
-        used_[way] = ++clock_;
-        ++counts_.hits;
-        return Answer::kHit;
-      }
+    // Which way hits is as good as random to a branch predictor: all are compared, one is selected.
+    uint32_t hit = kNoLine;
+    for (uint32_t way = first; way < first + ways_; ++way) hit = lines_[way] == line ? way : hit;
+    if (hit != kNoLine) {
+      used_[hit] = ++clock_;
+      ++counts_.hits;
+      return Answer::kHit;
     }
     return miss(line, first, context, ray, cycle);
   }

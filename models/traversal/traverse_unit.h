@@ -1,21 +1,17 @@
 #pragma once
 
-#include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "models/architecture.h"
-#include "models/common/error.h"
 #include "models/common/port_stalls.h"
-#include "models/heightmap/texel_layout.h"
 #include "models/memory/height_l1.h"
 #include "models/output/hit_queue.h"
 #include "models/output/result_writer.h"
 #include "models/traversal/ray_setup_unit.h"
-#include "models/traversal/traversal.h"
+#include "models/traversal/step_source.h"
 
 namespace cuesta {
 
@@ -46,6 +42,8 @@ struct Watchdog {
 /// slot is at select again, `stages` enabled cycles later; one whose lookup misses is parked and leaves the slot
 /// empty. A ray dead at set-up takes a slot for one round, without a lookup.
 /// Pipe time and real time are kept apart: only real time passes while the pipe stands still.
+///
+/// The value, which lines a ray reads and where it ends, comes from a StepSource.
 class TraverseUnit {
  public:
   /// Cycles by what the pipe did; they add up to all cycles.
@@ -107,7 +105,7 @@ class TraverseUnit {
 
  private:
   struct Context {
-    RaySteps steps;       ///< still to do
+    RaySteps steps;  ///< still to do
     uint32_t ray;    ///< position in the machine's order
     uint32_t trace;  ///< position in the trace
     uint32_t issue_slots;

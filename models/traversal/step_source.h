@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "models/traversal/hit.h"
+
+namespace cuesta {
+
+/// The steps of one ray: the line of memory that each of its node visits reads, in order. Empty: dead at set-up.
+struct RaySteps {
+  const uint32_t* next;
+  const uint32_t* end;
+};
+
+/// Where the cycle model gets the value from: what each ray visits and where it ends. No step depends on time, so
+/// the value is computed apart, a batch of rays ahead, by the same code as in the functional run; the units in
+/// time only ask which line comes next.
+///
+/// Rays are numbered in the machine's order and asked for in about that order; a batch is dropped when all its
+/// rays are done.
+class StepSource {
+ public:
+  explicit StepSource(uint32_t rays) : rays_(rays) {}
+  virtual ~StepSource() = default;
+  StepSource(const StepSource&) = delete;
+  StepSource& operator=(const StepSource&) = delete;
+
+  /// Valid until `done(ray)`.
+  RaySteps steps(uint32_t ray) {
+    while (ray >= made_) make_batch();
+    const Batch& batch = batch_of(ray);
+    const Span& span = batch.spans[ray - batch.first_ray];
+    return {batch.lines.data() + span.first, batch.lines.data() + span.first + span.count};
+  }
+  const HitRecord& hit(uint32_t ray) {
+    const Batch& batch = batch_of(ray);
+    return batch.hits[ray - batch.first_ray];
+  }
+  void done(uint32_t ray) {
+    --batch_of(ray).unfinished;
+    while (!batches_.empty() && batches_.front().unfinished == 0) batches_.pop_front();
+  }
+
+ protected:
+  struct Span {
+    uint64_t first;
+    uint64_t count;
+  };
+  struct Batch {
+    uint32_t first_ray = 0;
+    uint32_t unfinished = 0;
+    std::vector<uint32_t> lines;  ///< of all its rays, one after the other
+    std::vector<Span> spans;      ///< per ray, in `lines`
+    std::vector<HitRecord> hits;  ///< per ray
+  };
+
+  /// Fills lines, spans and hits of the rays first_ray .. first_ray + spans.size() - 1.
+  virtual void produce(Batch& batch) = 0;
+
+ private:
+  Batch& batch_of(uint32_t ray) {
+    for (Batch& batch : batches_) {
+      if (ray - batch.first_ray < batch.spans.size()) return batch;
+    }
+    return batches_.back();  // not reached: rays are asked for before they are done
+  }
+  void make_batch();
+
+  uint32_t rays_;
+  uint32_t made_ = 0;
+  uint32_t batch_rays_ = 256;  ///< of the next batch, so that its lines stay within a few megabytes
+  std::deque<Batch> batches_;
+};
+
+}  // namespace cuesta

@@ -1,0 +1,187 @@
+#include "models/traversal/traverse_unit.h"
+
+#include <algorithm>
+
+#include "models/common/error.h"
+
+namespace cuesta {
+
+void TraverseUnit::advance(Cycle limit) {
+  setup_.advance();
+  while (cycle_ < limit) {
+    l1_.land_before(cycle_);
+    int& slot = slots_[static_cast<size_t>(slot_)];
+    if (slot >= 0) {
+      const Context& ray = contexts_[static_cast<size_t>(slot)];
+      if (ray.steps.next != ray.steps.end) {
+        lookup(slot);
+        next_slot();
+        continue;
+      }
+      if (!retire(slot, limit)) continue;
+    }
+    if (finished()) return;
+    if (fill_empty_slot())
+      next_slot();
+    else
+      bubble(limit);
+  }
+}
+
+void TraverseUnit::lookup(int context) {
+  Context& ray = contexts_[static_cast<size_t>(context)];
+  ++ray.issue_slots;
+  int& slot = slots_[static_cast<size_t>(slot_)];
+  switch (l1_.lookup(*ray.steps.next, context, ray.ray, cycle_)) {
+    case HeightL1::Answer::kHit:
+      step(ray);
+      occupied_ += slot < 0;
+      slot = context;
+      return;
+    case HeightL1::Answer::kAllocated:
+      ++ray.misses;
+      [[fallthrough]];
+    case HeightL1::Answer::kMerged:
+      ++counts_.miss_slots;
+      break;
+    case HeightL1::Answer::kRefused:
+      ++counts_.refused_slots;
+      l1_.push_retry(context);
+      break;
+  }
+  occupied_ -= slot >= 0;
+  slot = -1;
+}
+
+void TraverseUnit::step(Context& ray) {
+  ++ray.steps.next;
+  ++counts_.steps;
+  watchdog_.last_progress = cycle_;
+}
+
+/// The ray in the slot at select has ended. False: the pipe stands still, time has passed.
+bool TraverseUnit::retire(int context, Cycle limit) {
+  writer_.advance(cycle_);
+  Cycle cycle = cycle_;
+  if (hit_queue_.full()) {
+    const Cycle popped = writer_.advance_to_pop(limit);
+    cycle = popped == kNever ? limit : popped + 1;
+  }
+  cycle = PortStalls::free_from(stalls_, Port::kHitStream, pipeline_, cycle);
+  cycle = std::min(cycle, limit);
+  if (cycle > cycle_) {
+    if (watchdog_.expired(cycle)) give_up();
+    counts_.stalls += cycle - cycle_;
+    cycle_ = cycle;
+    return false;
+  }
+  Context& ray = contexts_[static_cast<size_t>(context)];
+  hit_queue_.push(ray.ray, cycle_);
+  hits_[ray.trace] = source_.hit(ray.ray);
+  source_.done(ray.ray);
+  timing_[ray.trace] = {cycle_, static_cast<uint32_t>(cycle_ - ray.sent), ray.issue_slots, ray.misses};
+  ++counts_.rays;
+  counts_.hits += hits_[ray.trace].status == HitStatus::kHit;
+  counts_.resident_cycles += cycle_ - ray.entered;
+  watchdog_.last_progress = cycle_;
+  free_.push_back(context);
+  slots_[static_cast<size_t>(slot_)] = -1;
+  --occupied_;
+  return true;
+}
+
+/// Replay, retry or new ray, in this order; false when there is none.
+bool TraverseUnit::fill_empty_slot() {
+  if (l1_.replay_waiting()) {
+    const int context = l1_.replay(cycle_);
+    Context& ray = contexts_[static_cast<size_t>(context)];
+    ++ray.issue_slots;
+    ++counts_.replays;
+    step(ray);
+    slots_[static_cast<size_t>(slot_)] = context;
+    ++occupied_;
+    return true;
+  }
+  if (l1_.retry_possible()) {
+    lookup(l1_.pop_retry());
+    return true;
+  }
+  if (free_.empty()) return false;
+  if (setup_.next_ready() > cycle_ ||
+      (stalls_ != nullptr && stalls_->blocked(Port::kSetup, pipeline_, cycle_))) {
+    return false;
+  }
+  const RaySetupUnit::Ready next = setup_.take(cycle_);
+  const int context = free_.back();
+  free_.pop_back();
+  Context& ray = contexts_[static_cast<size_t>(context)];
+  ray.ray = next.ray;
+  ray.trace = order_[next.ray];
+  ray.issue_slots = 0;
+  ray.misses = 0;
+  ray.sent = next.sent;
+  ray.entered = cycle_;
+  ray.steps = source_.steps(next.ray);
+  if (ray.steps.next != ray.steps.end) {
+    lookup(context);
+  } else {
+    ++ray.issue_slots;
+    ++counts_.dead_slots;
+    watchdog_.last_progress = cycle_;
+    slots_[static_cast<size_t>(slot_)] = context;
+    ++occupied_;
+  }
+  setup_.advance();
+  return true;
+}
+
+/// Nothing can take the slot: time passes to the next slot that holds a ray or the next thing to arrive.
+void TraverseUnit::bubble(Cycle limit) {
+  Cycle next = limit;
+  if (occupied_ > 0) {
+    Cycle ahead = 1;
+    for (int s = slot_ + 1;; ++s, ++ahead) {
+      if (slots_[static_cast<size_t>(s >= stages_ ? s - stages_ : s)] >= 0) break;
+    }
+    next = std::min(next, cycle_ + ahead);
+  }
+  if (l1_.next_landing() != kNever) next = std::min(next, l1_.next_landing() + 1);
+  if (!free_.empty()) next = std::min(next, std::max(setup_.next_ready(), cycle_ + 1));
+  next = std::max(next, cycle_ + 1);
+  if (next >= kNever || watchdog_.expired(next)) give_up();
+  count_bubbles(next - cycle_);
+  next_slot(next - cycle_);
+}
+
+void TraverseUnit::give_up() const {
+  throw Error(ExitCode::kNoProgress, "no step was finished for " + std::to_string(watchdog_.limit) +
+                                         " cycles (machine.no_progress_cycles), since cycle " +
+                                         std::to_string(watchdog_.last_progress) + ": " + who_waits());
+}
+
+void TraverseUnit::count_bubbles(Cycle cycles) {
+  if (free_.empty()) {
+    counts_.contexts_full += cycles;
+    return;
+  }
+  Cycle draining = 0;
+  if (setup_.empty() && dispatch_.all_sent()) {
+    draining = std::clamp<Cycle>(cycle_ + cycles - 1 - dispatch_.last_sent(), 0, cycles);
+  }
+  counts_.drain += draining;
+  counts_.no_ray += cycles - draining;
+}
+
+std::string TraverseUnit::who_waits() const {
+  auto n = [](auto value) { return std::to_string(value); };
+  return "traverse[" + n(pipeline_) + "] holds " + n(resident()) + " of " + n(contexts_.size()) + " rays, " +
+         n(occupied_) + " in the pipe, the others wait for height_l1; height_l1: " + n(l1_.mshrs_taken()) +
+         " MSHRs taken, wait for dram, " + n(l1_.retry_fill()) +
+         " rays wait for an MSHR; ray_setup: " + n(setup_.queued()) + " rays queued, " + n(setup_.waiting()) +
+         " in set-up; hit_queue: " + n(hit_queue_.size()) +
+         " records wait for result_writer; result_writer: " + n(writer_.filled()) + " records, " +
+         n(writer_.unacknowledged()) + " bursts wait for dram; ray_dispatch: " + n(dispatch_.sent()) +
+         " rays sent";
+}
+
+}  // namespace cuesta

@@ -1,0 +1,56 @@
+#include "sim/traversal_source.h"
+
+#include <bit>
+
+#include "models/traversal/traversal.h"
+
+namespace cuesta {
+
+namespace {
+
+template <class A, class G>
+class TraversalSource final : public StepSource {
+ public:
+  TraversalSource(const Workload& work, const Architecture& architecture, const TexelLayout& layout,
+                  std::span<const uint32_t> order)
+      : StepSource(static_cast<uint32_t>(order.size())),
+        work_(work),
+        layout_(layout),
+        order_(order),
+        line_shift_(std::countr_zero(static_cast<unsigned>(architecture.height_l1.line_bytes))),
+        walk_(work.map, number_format(architecture.traverse, work.map), work.schedule,
+              work.pyramid->at(work.pyramid->root_level(), 0, 0)) {}
+
+ private:
+  void produce(Batch& batch) override {
+    for (size_t k = 0; k < batch.spans.size(); ++k) {
+      const uint64_t first = batch.lines.size();
+      batch.hits[k] =
+          traverse_ray(walk_, work_.rays[order_[batch.first_ray + k]], [&](int level, int64_t i, int64_t j) {
+            const int x = static_cast<int>(i), y = static_cast<int>(j);
+            batch.lines.push_back(static_cast<uint32_t>(layout_.offset(level, x, y) >> line_shift_));
+            return static_cast<int64_t>(work_.pyramid->at(level, x, y));
+          });
+      batch.spans[k] = {first, batch.lines.size() - first};
+    }
+  }
+
+  const Workload& work_;
+  const TexelLayout& layout_;
+  std::span<const uint32_t> order_;
+  int line_shift_;
+  Walk<A, G> walk_;
+};
+
+}  // namespace
+
+std::unique_ptr<StepSource> make_traversal_source(const Workload& work, const Architecture& architecture,
+                                                  const TexelLayout& layout,
+                                                  std::span<const uint32_t> order) {
+  return with_traversal_types(
+      architecture.traverse.arithmetic, work.map, [&]<class A, class G>() -> std::unique_ptr<StepSource> {
+        return std::make_unique<TraversalSource<A, G>>(work, architecture, layout, order);
+      });
+}
+
+}  // namespace cuesta
