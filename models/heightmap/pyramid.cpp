@@ -62,6 +62,7 @@ Pyramid make_pyramid_levels(const HeightGrid& grid) {
     width = (width + 1) / 2;
     height = (height + 1) / 2;
   }
+  pyramid.values_.reserve(first + 1);  // texels may be read two at a time
   pyramid.values_.resize(first);
   std::copy(grid.texels.begin(), grid.texels.end(), pyramid.values_.begin());
   return pyramid;

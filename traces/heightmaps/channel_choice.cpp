@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/common/error.h"
+#include "models/common/words.h"
 
 namespace cuesta {
 namespace {
@@ -48,7 +49,8 @@ struct ColourScan {
   bool alpha_constant = true;
 };
 
-/// Reads R, G, B and, where there is one, alpha; 16-bit integers hold what 8 and 16 bits tell apart, float the rest.
+/// Reads R, G, B and, where there is one, alpha; 16-bit integers hold what 8 and 16 bits tell apart, float
+/// the rest.
 template <typename T>
 ColourScan scan(ImageFile& file, OIIO::TypeDesc::BASETYPE base) {
   ColourScan found;
@@ -102,7 +104,7 @@ ChannelChoice choose_channel(ImageFile& file, const std::string& wanted) {
   if (wanted.empty()) return by_rule(file);
   if (auto index = by_name(file, wanted)) return {*index, "asked for"};
   if (auto index = by_index(file, wanted)) return {*index, "asked for"};
-  throw input_error("The image \"" + file.path() + "\" has no channel " + wanted + "; there are " +
+  throw input_error("The image \"" + file.path() + "\" has no channel " + printable(wanted) + "; there are " +
                     channel_list(file) + ".");
 }
 

@@ -56,6 +56,7 @@ ImageFile::ImageFile(const std::string& path) : path_(path) {
 }
 
 void ImageFile::open() {
+  refuse_damage(damage_of_png(path_));
   OIIO::ImageSpec hints;
   hints.attribute("oiio:UnassociatedAlpha", 1);  // else R, G and B come back multiplied by alpha
   input_ = OIIO::ImageInput::open(path_, &hints);
@@ -69,14 +70,17 @@ void ImageFile::open() {
   }
   spec_ = input_->spec();
   check_size();
-  std::string damage = damage_that_readers_hide(path_, format(), spec_.width, spec_.height);
-  if (!damage.empty()) throw input_error("The image " + in_quotes(path_) + " is damaged: " + damage + ".");
+  refuse_damage(damage_of_others(path_, format(), spec_.width, spec_.height));
   more_pictures_ = input_->seek_subimage(1, 0);
   if (!input_->seek_subimage(0, 0)) {
     throw input_error("The image " + in_quotes(path_) + " cannot be read: " + one_line(input_->geterror()) +
                       ".");
   }
   input_->geterror();
+}
+
+void ImageFile::refuse_damage(const std::string& damage) const {
+  if (!damage.empty()) throw input_error("The image " + in_quotes(path_) + " is damaged: " + damage + ".");
 }
 
 void ImageFile::check_size() const {

@@ -9,13 +9,13 @@
 namespace cuesta {
 
 /// An image opened through OpenImageIO, read in strips of rows so that only what is wanted is ever in memory.
-/// The constructor makes the checks that need no pixels: the file exists, is not empty, its format is known, and the
-/// size that its header declares is accepted and believable. Everything throws cuesta::Error (input).
+/// The constructor makes the checks that need no pixels: the file exists, is not empty, its format is known,
+/// and the size that its header declares is accepted and believable. Everything throws cuesta::Error (input).
 class ImageFile {
  public:
   static constexpr int kMaxSide = 16384;  ///< texels
-  /// No format read here packs more than about 1000 to 1 (deflate 1032 to 1); above 64 MiB a header that declares more
-  /// than this ratio is taken as damaged instead of being allocated.
+  /// No format read here packs more than about 1000 to 1 (deflate 1032 to 1); above 64 MiB a header that
+  /// declares more than this ratio is taken as damaged instead of being allocated.
   static constexpr double kMaxRatio = 4096;
 
   explicit ImageFile(const std::string& path);
@@ -37,6 +37,7 @@ class ImageFile {
 
  private:
   void open();
+  void refuse_damage(const std::string& damage) const;
   void check_size() const;
 
   std::string path_;

@@ -6,9 +6,9 @@
 #include <new>
 
 #include "models/common/error.h"
+#include "models/common/words.h"
 #include "traces/heightmaps/channel_choice.h"
 #include "traces/heightmaps/image_file.h"
-#include "traces/heightmaps/number_text.h"
 
 namespace cuesta {
 namespace {
@@ -58,7 +58,8 @@ void each_strip(ImageFile& file, int channel, Base base, Take take) {
   }
 }
 
-/// The numbers of a channel. Those of 8 and 16 unsigned bits stay exact in `small`; all others become float32.
+/// The numbers of a channel. Those of 8 and 16 unsigned bits stay exact in `small`; all others become
+/// float32.
 struct Numbers {
   std::vector<uint16_t> small;
   std::vector<float> wide;
@@ -138,11 +139,11 @@ Range choose_range(const HeightSource& source, const SampleType& type, const Num
     rule = keep ? Normalisation::kNone : Normalisation::kMinMax;
   }
   if (rule == Normalisation::kRange) return {source.low, source.high};
-  std::string found = "The image \"" + source.path + "\" holds heights of " + number_text(numbers.minimum) +
-                      " to " + number_text(numbers.maximum);
+  std::string found = "The image \"" + source.path + "\" holds heights of " + shortest_text(numbers.minimum) +
+                      " to " + shortest_text(numbers.maximum);
   if (rule == Normalisation::kNone) {
     if (numbers.minimum < 0 || numbers.maximum > type.largest) {
-      throw input_error(found + "; without normalisation 0 to " + number_text(type.largest) +
+      throw input_error(found + "; without normalisation 0 to " + shortest_text(type.largest) +
                         " is accepted.");
     }
     return {0, type.largest};
@@ -150,7 +151,7 @@ Range choose_range(const HeightSource& source, const SampleType& type, const Num
   // A terrain of metres has no such heights; stretching it to them would leave the rest on a few levels.
   for (double marker : {-9999.0, -99999.0, -32767.0, -32768.0}) {
     if (numbers.minimum == marker && type.largest != 127.0) {
-      throw input_error(found + ", and " + number_text(marker) +
+      throw input_error(found + ", and " + shortest_text(marker) +
                         " marks texels without data; give the range of true heights as normalisation.");
     }
   }
@@ -200,8 +201,8 @@ void check_source(const HeightSource& source) {
   }
   bool finite = std::isfinite(source.low) && std::isfinite(source.high);
   if (source.normalisation == Normalisation::kRange && !(finite && source.low < source.high)) {
-    throw usage_error("The normalisation range " + number_text(source.low) + " to " +
-                      number_text(source.high) +
+    throw usage_error("The normalisation range " + shortest_text(source.low) + " to " +
+                      shortest_text(source.high) +
                       " is not accepted; two finite numbers, the lower first, are.");
   }
 }
@@ -239,7 +240,7 @@ LoadedHeights load(const HeightSource& source) {
   statement.minimum = numbers.minimum;
   statement.maximum = numbers.maximum;
   statement.distinct_levels = count_levels(grid.texels);
-  statement.normalisation = number_text(range.low) + " .. " + number_text(range.high) + " becomes 0 .. " +
+  statement.normalisation = shortest_text(range.low) + " .. " + shortest_text(range.high) + " becomes 0 .. " +
                             std::to_string(grid.full_scale());
   statement.notes = file.notes();
   if (range.low == range.high) statement.notes.push_back("The channel is flat; every height becomes 0.");

@@ -9,18 +9,18 @@ namespace cuesta {
 
 /// How the numbers in a file become heights of 0 to full scale.
 enum class Normalisation {
-  kAuto,  ///< unsigned integers: kNone; half, float, double: 0 to 1 when all lie inside, else kMinMax; signed: kMinMax
+  kAuto,  ///< unsigned integers: kNone; signed: kMinMax; half, float, double: 0 to 1, or kMinMax if any is outside
   kNone,    ///< integers: 0 to the type's largest number; half, float, double: 0 to 1, an error outside
   kMinMax,  ///< the smallest number in the channel to the largest; a flat channel becomes all zero
-  kRange,  ///< `low` to `high` in the file's own units; what lies outside is clamped, and counted in the notes
+  kRange,  ///< `low` to `high` in the file's own units; what lies outside is clamped and counted in the notes
 };
 
 /// Which heights to read, and how.
 struct HeightSource {
   std::string path;
-  /// A channel's name ("A", "R", "height"; case does not matter; "alpha" is whatever channel is marked so) or its index
-  /// from 0. Empty: the only channel; else the one called height or displacement; of two, the one that is not alpha;
-  /// R where R = G = B in every pixel; alpha where it is not constant; else an error.
+  /// A channel's name ("A", "R", "height"; case does not matter; "alpha" is whatever channel is marked so) or
+  /// its index from 0. Empty: the only channel; else the one called height or displacement; of two, the one
+  /// that is not alpha; R where R = G = B in every pixel; alpha where it is not constant; else an error.
   std::string channel;
   bool invert = false;  ///< the file holds depth: full scale - value
   int bits = 0;         ///< 1 to 16 bits of a height; 0: 8 for 8-bit integers, else 16
@@ -50,13 +50,13 @@ struct LoadedHeights {
   HeightStatement statement;
 };
 
-/// Reads one channel of an image as heights; row 0 of the picture is row j = 0. value -> round((value - low) /
-/// (high - low) * full scale), halves up. Alpha never multiplies the colours. PNG, TIFF, EXR, TGA, BMP, JPEG
-/// and whatever else OpenImageIO reads; the first picture of a file with several.
-/// Throws input_error for a file that is missing, empty, truncated, of an unknown format, larger than 16384 on a side,
-/// or declared so much larger than its bytes that it cannot be whole; for an unknown or undecided channel;
-/// for NaN or infinity (with the pixel); for a NODATA marker (-9999, -32768, -3.4e38 ...) under kMinMax.
-/// Throws usage_error for bits or a range that make no sense.
+/// Reads one channel of an image as heights; row 0 of the picture is row j = 0. value -> round((value - low)
+/// / (high - low) * full scale), halves up. Alpha never multiplies the colours. PNG, TIFF, EXR, TGA, BMP,
+/// JPEG and whatever else OpenImageIO reads; the first picture of a file with several.
+/// Throws input_error for a file that is missing, empty, truncated, of an unknown format, larger than 16384
+/// on a side, or declared so much larger than its bytes that it cannot be whole; for an unknown or undecided
+/// channel; for NaN or infinity (with the pixel); for a NODATA marker (-9999, -32768, -3.4e38 ...) under
+/// kMinMax. Throws usage_error for bits or a range that make no sense.
 LoadedHeights load_heights(const HeightSource& source);
 
 }  // namespace cuesta

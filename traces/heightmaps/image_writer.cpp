@@ -33,7 +33,7 @@ std::string write_rows(const std::string& path, const std::string& format, const
   uint32_t full_scale = grid.full_scale();
   for (int j = 0; j < grid.height; ++j) {
     for (int i = 0; i < grid.width; ++i) {
-      uint32_t value = (2 * white * grid.at(i, j) + full_scale) / (2 * full_scale);
+      uint64_t value = (uint64_t{2} * white * grid.at(i, j) + full_scale) / (2 * full_scale);
       wide[i] = static_cast<uint16_t>(value);
       narrow[i] = static_cast<uint8_t>(value);
     }

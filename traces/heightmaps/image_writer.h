@@ -6,10 +6,11 @@
 
 namespace cuesta {
 
-/// Writes heights as a one-channel PNG or TIFF (by the path's ending): 8-bit up to 8 bits, else 16-bit. Heights are
-/// scaled so that full scale is white, halves up; reading the file with the grid's `bits` gives the same heights back.
-/// The file appears under its name only when it is whole. Throws usage_error for another ending, and for a file that
-/// is there already unless `overwrite`; Error (resource) when it cannot be written.
+/// Writes heights as a one-channel PNG or TIFF (by the path's ending): 8-bit up to 8 bits, else 16-bit.
+/// Heights are scaled so that full scale is white, halves up; reading the file with the grid's `bits` gives
+/// the same heights back. The file appears under its name only when it is whole. Throws usage_error for
+/// another ending, and for a file that is there already unless `overwrite`; Error (resource) when it cannot
+/// be written.
 void write_height_image(const std::string& path, const HeightGrid& grid, bool overwrite = false);
 
 }  // namespace cuesta
