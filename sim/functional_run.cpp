@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <array>
+#include <type_traits>
 
+#include "models/traversal/lanes.h"
 #include "models/traversal/traversal.h"
 #include "sim/machine.h"
 #include "sim/outcome.h"
@@ -28,9 +31,17 @@ uint64_t trace_all(const Workload& work, const NumberFormat& format, const Progr
     const LevelView& view = levels[static_cast<size_t>(level)];
     return view.texels[j * view.width + i];
   };
-  for (size_t k = 0; k < work.rays.size(); ++k) {
-    if (progress && k % kRaysPerReport == 0 && !progress(k, work.rays.size())) return k;
-    hits[k] = traverse_ray(walk, work.rays[k], fetch);
+  for (size_t first = 0; first < work.rays.size(); first += kRaysPerReport) {
+    if (progress && !progress(first, work.rays.size())) return first;
+    const size_t count = std::min(kRaysPerReport, work.rays.size() - first);
+    if constexpr (std::is_same_v<Walk<A, G>, Walk<FixedArithmetic, PlainAxis>>) {
+      if (lanes_can(walk)) {
+        traverse_lanes(walk, pyramid, work.rays.subspan(first, count), {},
+                       std::span(hits).subspan(first, count), nullptr);
+        continue;
+      }
+    }
+    for (size_t k = first; k < first + count; ++k) hits[k] = traverse_ray(walk, work.rays[k], fetch);
   }
   if (progress) progress(work.rays.size(), work.rays.size());
   return work.rays.size();

@@ -1,7 +1,9 @@
 #include "sim/traversal_source.h"
 
 #include <bit>
+#include <type_traits>
 
+#include "models/traversal/lanes.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {
@@ -23,6 +25,14 @@ class TraversalSource final : public StepSource {
 
  private:
   void produce(Batch& batch) override {
+    if constexpr (std::is_same_v<Walk<A, G>, Walk<FixedArithmetic, PlainAxis>>) {
+      if (lanes_can(walk_) && layout_.kind() != TexelLayoutKind::kMorton) {
+        const LineRecorder recorder{&layout_, line_shift_, &batch.lines, batch.spans.data()};
+        traverse_lanes(walk_, *work_.pyramid, work_.rays, order_.subspan(batch.first_ray, batch.spans.size()),
+                       batch.hits, &recorder);
+        return;
+      }
+    }
     for (size_t k = 0; k < batch.spans.size(); ++k) {
       const uint64_t first = batch.lines.size();
       batch.hits[k] =

@@ -14,6 +14,12 @@ struct RaySteps {
   const uint32_t* end;
 };
 
+/// Where the steps of a ray lie in a list of lines.
+struct LineSpan {
+  uint64_t first;
+  uint64_t count;
+};
+
 /// Where the cycle model gets the value from: what each ray visits and where it ends. No step depends on time, so
 /// the value is computed apart, a batch of rays ahead, by the same code as in the functional run; the units in
 /// time only ask which line comes next.
@@ -31,7 +37,7 @@ class StepSource {
   RaySteps steps(uint32_t ray) {
     while (ray >= made_) make_batch();
     const Batch& batch = batch_of(ray);
-    const Span& span = batch.spans[ray - batch.first_ray];
+    const LineSpan& span = batch.spans[ray - batch.first_ray];
     return {batch.lines.data() + span.first, batch.lines.data() + span.first + span.count};
   }
   const HitRecord& hit(uint32_t ray) {
@@ -44,15 +50,11 @@ class StepSource {
   }
 
  protected:
-  struct Span {
-    uint64_t first;
-    uint64_t count;
-  };
   struct Batch {
     uint32_t first_ray = 0;
     uint32_t unfinished = 0;
     std::vector<uint32_t> lines;  ///< of all its rays, one after the other
-    std::vector<Span> spans;      ///< per ray, in `lines`
+    std::vector<LineSpan> spans;  ///< per ray, in `lines`
     std::vector<HitRecord> hits;  ///< per ray
   };
 
