@@ -110,6 +110,62 @@ double random_component(Random& random) {
   }
 }
 
+/// Origin and direction in texels and height LSBs.
+struct Placed {
+  double origin[3];
+  double direction[3];
+};
+
+/// Planes and heights are crossed at whole ratios, often together: from a whole or half place near some texel's
+/// height, a few texels and LSBs at a time.
+Placed whole_ray(Random& random, const RandomMap& map) {
+  const HeightGrid& grid = map.grid;
+  const auto full = static_cast<int64_t>(grid.full_scale());
+  const int64_t height = grid.texels[random.below(grid.texels.size())];
+  const double rise = static_cast<double>(int64_t{1} << random.between(0, grid.bits / 2));
+  const auto half = [&](int64_t least, int64_t most) { return static_cast<double>(random.between(least, most)) / 2; };
+  Placed ray;
+  ray.origin[0] = half(0, 2 * grid.width);
+  ray.origin[1] = half(0, 2 * grid.height);
+  ray.origin[2] = static_cast<double>(std::clamp<int64_t>(height + random.between(-3, 6), 0, full));
+  ray.direction[0] = static_cast<double>(random.between(-3, 3));
+  ray.direction[1] = random.chance(0.2) ? ray.direction[0] : static_cast<double>(random.between(-3, 3));
+  ray.direction[2] = static_cast<double>(random.between(-3, 2)) * rise;
+  if (ray.direction[2] < 0 && random.chance(0.5)) {  // from higher up on the same line
+    const auto up = static_cast<double>(random.between(1, 6));
+    if (ray.origin[2] - up * ray.direction[2] <= static_cast<double>(full)) {
+      for (int axis = 0; axis < 3; ++axis) ray.origin[axis] -= up * ray.direction[axis];
+    }
+  }
+  return ray;
+}
+
+/// Anything, with favourite places.
+Placed free_ray(Random& random, const RandomMap& map, const double (&size)[3]) {
+  const int f = map.format.fraction_bits;
+  const double spread = map.shape.address_mode == AddressMode::kBorder && random.chance(0.5) ? 0.9 : 0;
+  Placed ray;
+  ray.origin[0] = random_position(random, size[0], f, spread);
+  ray.origin[1] = random_position(random, size[1], f, spread);
+  ray.origin[2] = random_position(random, size[2], f, 0);
+  ray.direction[0] = random_component(random);
+  ray.direction[1] = random_component(random);
+  const double steep = random.chance(0.5) ? 1 : size[2];
+  const uint64_t slope = random.below(8);
+  if (slope == 0) {
+    ray.direction[2] = 0;
+  } else if (slope == 1) {  // rises from below the heights
+    ray.direction[2] = random.unit() * steep / 16;
+    ray.origin[2] *= random.unit();
+  } else {
+    const double down = random_component(random) * (slope < 5 ? steep / 16 : steep);
+    ray.direction[2] = down < 0 ? down : -down;
+    if (random.chance(0.5)) ray.origin[2] = size[2];
+    if (random.chance(0.1)) ray.origin[2] += random.unit() * size[2];
+  }
+  return ray;
+}
+
 NumberFormat random_format(Random& random, int bits) {
   NumberFormat format;
   format.mantissa_bits = std::min(24, bits + 4);
@@ -147,33 +203,24 @@ RandomMap random_map(uint64_t seed, int max_side) {
 TracedRay random_ray(Random& random, const RandomMap& map, uint64_t id) {
   const double size[3] = {static_cast<double>(map.grid.width), static_cast<double>(map.grid.height),
                           static_cast<double>(map.grid.full_scale())};
-  const int f = map.format.fraction_bits;
-  const double spread = map.shape.address_mode == AddressMode::kBorder && random.chance(0.5) ? 0.9 : 0;
   TracedRay ray;
   ray.id = id;
-  double origin[3] = {random_position(random, size[0], f, spread),
-                      random_position(random, size[1], f, spread), random_position(random, size[2], f, 0)};
-  if (random.chance(0.5)) origin[2] = size[2];
-  if (random.chance(0.05)) origin[2] += random.unit() * size[2];
-  double direction[3] = {random_component(random), random_component(random), random_component(random)};
-  const uint64_t slope = random.below(8);  // of z: front to grazing, horizontal, rising
-  const double steep = random.chance(0.5) ? 1 : size[2];
-  direction[2] *= slope < 2 ? steep : slope < 5 ? -steep / 16 : slope == 5 ? 0 : -steep;
-  if (slope >= 2 && slope <= 4 && direction[2] > 0 && random.chance(0.7)) direction[2] = -direction[2];
-  if (direction[0] == 0 && direction[1] == 0 && direction[2] == 0) direction[2] = -1;
-  if (random.chance(0.3))
+  Placed placed = random.chance(0.4) ? whole_ray(random, map) : free_ray(random, map, size);
+  if (placed.direction[0] == 0 && placed.direction[1] == 0 && placed.direction[2] == 0) placed.direction[2] = -1;
+  if (random.chance(0.3)) {
     ray.t_max = static_cast<double>(random.between(1, 16)) * (random.chance(0.5) ? 1 : 0.37);
+  }
   if (random.chance(0.2)) {  // a secondary ray, as if from a wall or a top
     ray.kind = RayKind::kShadow;
     const uint64_t axis = random.below(3);
     ray.fixed_axis = static_cast<FixedAxis>(axis + 1);
     ray.fixed_coordinate = static_cast<int32_t>(random.below(static_cast<uint64_t>(size[axis]) + 1));
-    origin[axis] = ray.fixed_coordinate;
-    if (axis != 2) origin[2] = std::min(origin[2], size[2]);
+    placed.origin[axis] = ray.fixed_coordinate;
+    placed.origin[2] = std::min(placed.origin[2], size[2]);
   }
   for (int axis = 0; axis < 3; ++axis) {
-    ray.origin[axis] = origin[axis] / size[axis];
-    ray.direction[axis] = direction[axis] / size[axis];
+    ray.origin[axis] = placed.origin[axis] / size[axis];
+    ray.direction[axis] = placed.direction[axis] / size[axis];
   }
   return ray;
 }
