@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "models/common/error.h"
@@ -13,7 +14,8 @@ namespace cuesta {
 
 /// What every verb gets from the command line around it.
 struct Session {
-  bool quiet = false;  ///< -q: no progress, no remarks; errors and asked-for output only
+  bool quiet = false;        ///< -q: no progress, no remarks; errors and asked-for output only
+  std::string command_line;  ///< as typed, for manifests
 };
 
 /// One verb. A new one: a class in a file of its own, its maker in verbs.h and a row in the table of verbs.cpp.

@@ -1,0 +1,126 @@
+#include "sim/cli/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "models/common/build_info.h"
+#include "models/common/words.h"
+#include "sim/cli/verbs.h"
+
+namespace cuesta {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 ok, 1 internal error, 2 usage or configuration, 3 input data, 4 no forward progress,\n"
+    "5 verification mismatch, 6 resource limit, 7 incomplete, 75 try again.\n";
+
+struct Leaf {
+  CLI::App* app;
+  std::unique_ptr<Command> command;
+};
+
+[[noreturn]] void refuse_unknown_verb(const CLI::App& app, const std::string& found) {
+  std::vector<std::string> names;
+  for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string near = did_you_mean(found, views);
+  throw usage_error("There is no verb `" + printable(found) + "`; accepted are " + joined(views) +
+                    (near.empty() ? "." : near));
+}
+
+[[noreturn]] void refuse_extra(const CLI::App& app, const std::string& verb, const std::string& found) {
+  if (!found.starts_with("-")) {
+    throw usage_error("`cuesta " + verb + "` does not know what to do with `" + printable(found) +
+                      "`; `cuesta " + verb + " --help` says what it accepts.");
+  }
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string near = did_you_mean(found.substr(0, found.find('=')), views);
+  throw usage_error("`cuesta " + verb + "` has no option `" + printable(found) + "`; accepted are " +
+                    joined(views) + (near.empty() ? "." : near));
+}
+
+/// The words of the command line that are no options: the verb, perhaps misspelt.
+void check_verb(CLI::App& program, int count, const char* const* arguments) {
+  CLI::App* app = &program;
+  for (int k = 1; k < count && !app->get_subcommands({}).empty(); ++k) {
+    const std::string word = arguments[k];
+    if (word.starts_with("-")) return;
+    CLI::App* next = nullptr;
+    for (CLI::App* verb : app->get_subcommands({})) {
+      if (verb->get_name() == word) next = verb;
+    }
+    if (!next) refuse_unknown_verb(*app, word);
+    app = next;
+  }
+}
+
+CLI::App* app_of(CLI::App& program, const Verb& verb, std::map<std::string, CLI::App*>& groups) {
+  const std::string name(verb.name);
+  const size_t space = name.find(' ');
+  if (space == std::string::npos) return program.add_subcommand(name, std::string(verb.sentence));
+  const std::string group = name.substr(0, space);
+  CLI::App*& parent = groups[group];
+  if (!parent) {
+    parent = program.add_subcommand(group, std::string(group_sentence(group)));
+    parent->require_subcommand(1);
+    parent->failure_message(CLI::FailureMessage::simple);
+  }
+  return parent->add_subcommand(name.substr(space + 1), std::string(verb.sentence));
+}
+
+}  // namespace
+
+int run_command_line(int count, const char* const* arguments) {
+  const BuildInfo& build = build_info();
+  CLI::App program("Cuesta: heightmap traversal hardware, modelled to the cycle.", "cuesta");
+  program.require_subcommand(1);
+  program.set_version_flag("--version",
+                           "cuesta " + std::string(build.version) + " (" + std::string(build.commit) + ")");
+  program.footer(std::string("`cuesta VERB --help` says more, with an example.\n") + kExitCodes);
+
+  Session session;
+  session.command_line = "cuesta";
+  for (int k = 1; k < count; ++k) session.command_line += std::string(" ") + arguments[k];
+  std::vector<Leaf> leaves;
+  std::map<std::string, CLI::App*> groups;
+  for (const Verb& verb : verbs()) {
+    CLI::App* app = app_of(program, verb, groups);
+    app->footer("Example:\n  " + std::string(verb.example) + "\n");
+    app->allow_extras();
+    app->add_flag("-q,--quiet", session.quiet, "No progress and no remarks");
+    leaves.push_back({app, verb.make()});
+    leaves.back().command->declare(*app);
+  }
+
+  check_verb(program, count, arguments);
+  try {
+    program.parse(count, arguments);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return program.exit(success, std::cout, std::cerr);
+  } catch (const CLI::ParseError& error) {
+    for (const Leaf& leaf : leaves) {  // a misspelt option often shows as something else that is missing
+      for (const std::string& extra : leaf.app->remaining()) {
+        if (extra.starts_with("-")) refuse_extra(*leaf.app, leaf.app->get_name(), extra);
+      }
+    }
+    throw usage_error(std::string(error.what()) +
+                      (error.get_name() == "RequiredError" ? "; see --help." : "."));
+  }
+  for (size_t k = 0; k < leaves.size(); ++k) {
+    if (!leaves[k].app->parsed()) continue;
+    const std::vector<std::string> extras = leaves[k].app->remaining();
+    if (!extras.empty()) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extras.front());
+    return static_cast<int>(leaves[k].command->run(session));
+  }
+  throw usage_error("No verb is given; `cuesta --help` lists them.");
+}
+
+}  // namespace cuesta

@@ -1,0 +1,91 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+
+#include "sim/cli/progress.h"
+#include "sim/cli/result_output.h"
+#include "sim/cli/run_options.h"
+#include "sim/cli/verbs.h"
+#include "sim/measure.h"
+
+namespace cuesta {
+namespace {
+
+class CompareCommand : public Command {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("scenes", scenes_,
+                   "Scene files, or names of built-in scenes; `default` with --heightmap alone");
+    app.add_option("--algorithm", algorithms_, "Several, joined by commas; default: all")
+        ->allow_extra_args(false);
+    app.add_option("--arch", architectures_,
+                   "Presets or architecture files, joined by commas; default: mobile")
+        ->allow_extra_args(false);
+    options_.declare(app);
+  }
+
+  ExitCode run(const Session& session) override {
+    const auto start = std::chrono::steady_clock::now();
+    const Fidelity fidelity = parse_fidelity(options_.fidelity);
+    check_host(options_.host);
+    const auto algorithms = parse_algorithms(algorithms_);
+    if (architectures_.empty()) architectures_.push_back("mobile");
+    const auto machines = parse_architectures(architectures_, options_.settings, fidelity);
+    if (scenes_.empty()) scenes_.push_back(scene_or_default("", options_));
+    if (scenes_.size() > 1 && !options_.heightmap.empty()) {
+      throw usage_error("--heightmap takes the place of one scene's heights, and " +
+                        std::to_string(scenes_.size()) + " scenes are given; accepted is one.");
+    }
+    const SceneChanges changes = scene_changes(options_);
+    Result result = begin_result("compare", session);
+    add_inputs(machines, result);
+
+    std::optional<ResultFolder> folder;
+    std::vector<std::string> names;
+    const size_t planned = scenes_.size() * machines.size() * algorithms.size();
+    for (const std::string& scene : scenes_) {
+      if (folder && stop_requested()) break;
+      const Job job = prepare_job(scene, changes);
+      if (std::find(names.begin(), names.end(), job.scene.name) != names.end()) {
+        throw usage_error("Two scenes are named " + job.scene.name + "; accepted are different names.");
+      }
+      names.push_back(job.scene.name);
+      if (!folder) {
+        const std::string stem =
+            scenes_.size() == 1 ? job.scene.name : std::to_string(scenes_.size()) + "-scenes";
+        folder.emplace(open_result_folder(options_, stem + "-compare"));
+      }
+      add_inputs(job, result);
+      remark_inputs(session, job, machines);
+      measure_all(session, job, algorithms, machines, fidelity, result);
+    }
+    return finish_result(result, planned, machines, fidelity, *folder, options_, start);
+  }
+
+ private:
+  static void measure_all(const Session& session, const Job& job, const std::vector<Algorithm>& algorithms,
+                          const std::vector<ResolvedArchitecture>& machines, Fidelity fidelity,
+                          Result& result) {
+    Measurer measurer(job);
+    for (const ResolvedArchitecture& machine : machines) {
+      for (const Algorithm& algorithm : algorithms) {
+        if (stop_requested()) return;
+        std::string label(algorithm.id);
+        if (machines.size() > 1) label += " on " + machine.architecture.name;
+        ProgressBar bar(session, label, "rays", job.trace.rays.size());
+        result.runs.push_back(
+            measurer.run(algorithm, machine.architecture, fidelity,
+                         [&](uint64_t finished, uint64_t) { return bar.update(finished); }));
+      }
+    }
+  }
+
+  std::vector<std::string> scenes_, algorithms_, architectures_;
+  RunOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_compare_command() { return make_command<CompareCommand>(); }
+
+}  // namespace cuesta

@@ -1,0 +1,61 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "sim/cli/progress.h"
+#include "sim/cli/result_output.h"
+#include "sim/cli/run_options.h"
+#include "sim/cli/verbs.h"
+#include "sim/measure.h"
+
+namespace cuesta {
+namespace {
+
+class RunCommand : public Command {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("scene", scene_,
+                   "Scene file, or the name of a built-in scene; `default` with --heightmap alone");
+    app.add_option("--algorithm", algorithm_, "One out of `cuesta list algorithms`")->capture_default_str();
+    app.add_option("--arch", architecture_, "Preset or architecture file")->capture_default_str();
+    options_.declare(app);
+  }
+
+  ExitCode run(const Session& session) override {
+    const auto start = std::chrono::steady_clock::now();
+    const Fidelity fidelity = parse_fidelity(options_.fidelity);
+    check_host(options_.host);
+    const auto algorithms = parse_algorithms({algorithm_});
+    const auto machines = parse_architectures({architecture_}, options_.settings, fidelity);
+    if (algorithms.size() != 1 || machines.size() != 1) {
+      throw usage_error(
+          "`cuesta run` takes one algorithm and one architecture; `cuesta compare` takes several.");
+    }
+    const std::string scene = scene_or_default(scene_, options_);
+    Result result = begin_result("run", session);
+    const Job job = prepare_job(scene, scene_changes(options_));
+    ResultFolder folder = open_result_folder(options_, job.scene.name + "-" + std::string(algorithms[0].id));
+    add_inputs(job, result);
+    add_inputs(machines, result);
+    remark_inputs(session, job, machines);
+
+    Measurer measurer(job);
+    {
+      ProgressBar bar(session, std::string(algorithms[0].id), "rays", job.trace.rays.size());
+      result.runs.push_back(measurer.run(algorithms[0], machines[0].architecture, fidelity,
+                                         [&](uint64_t finished, uint64_t) { return bar.update(finished); }));
+    }
+    return finish_result(result, 1, machines, fidelity, folder, options_, start);
+  }
+
+ private:
+  std::string scene_;
+  std::string algorithm_ = "yun2013";
+  std::string architecture_ = "mobile";
+  RunOptions options_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_run_command() { return make_command<RunCommand>(); }
+
+}  // namespace cuesta

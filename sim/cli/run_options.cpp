@@ -1,0 +1,152 @@
+#include "sim/cli/run_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+
+#include "models/common/words.h"
+
+namespace cuesta {
+
+void RunOptions::declare(CLI::App& app) {
+  app.add_option("--fidelity", fidelity,
+                 "functional (hits and steps, no time) or cycle (every cycle of every unit)")
+      ->capture_default_str();
+  app.add_option("--host", host, "direct: the event loop")->capture_default_str();
+  app.add_option("--set", settings, "One value of the architecture: height_l1.ways=4; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--heightmap", heightmap,
+                 "Heights from an image in the place of the scene's: FILE or FILE:CHANNEL, as rocks.tga:A");
+  app.add_option("--rays", rays_file, "Rays from a .rays or .csv file in the place of the scene's camera");
+  app.add_option("--angle", angle_degrees,
+                 "The camera's angle to the surface's normal: 0 front to 89.9 grazing");
+  app.add_option("--depth", depth, "Thickness of the relief in widths of a tile: 0.0001 to 10");
+  app.add_option("--size", size, "Pixels: 256 or 640x480");
+  app.add_option("--crop", crop, "Only the pixels x,y,width,height of the frame");
+  app.add_option("-o,--output", folder, "Result folder; default: the next free results/SCENE-ALGORITHM-NNN");
+  app.add_flag("--force,--overwrite", force, "Replace an older result folder of that name");
+  app.add_flag("--json", json, "Print result.json to stdout in the place of the table");
+}
+
+Fidelity parse_fidelity(const std::string& name) {
+  if (name == "functional") return Fidelity::kFunctional;
+  if (name == "cycle") return Fidelity::kCycle;
+  if (name == "transaction" || name == "rtl") {
+    throw usage_error("--fidelity " + name +
+                      " is not available in this version; accepted are functional, cycle.");
+  }
+  static constexpr std::string_view kNames[] = {"functional", "cycle"};
+  const std::string near = did_you_mean(name, kNames);
+  throw usage_error("There is no fidelity `" + printable(name) + "`; accepted are functional, cycle" +
+                    (near.empty() ? "." : near));
+}
+
+void check_host(const std::string& name) {
+  if (name == "direct") return;
+  if (name == "systemc") {
+    throw usage_error("--host systemc is not available in this version; accepted is direct.");
+  }
+  throw usage_error("There is no host `" + printable(name) + "`; accepted is direct.");
+}
+
+namespace {
+
+std::pair<int, int> parse_size(const std::string& text) {
+  const size_t cross = text.find('x');
+  const std::string parts[] = {text.substr(0, cross),
+                               cross == std::string::npos ? text : text.substr(cross + 1)};
+  int sides[2];
+  for (int k = 0; k < 2; ++k) {
+    const char* end = parts[k].data() + parts[k].size();
+    const auto [stop, fault] = std::from_chars(parts[k].data(), end, sides[k]);
+    if (parts[k].empty() || fault != std::errc{} || stop != end || sides[k] < 1 || sides[k] > kLongestSide) {
+      throw usage_error("--size " + printable(text) +
+                        ": accepted is one number of pixels or WIDTHxHEIGHT, each from 1 to " +
+                        std::to_string(kLongestSide) + ".");
+    }
+  }
+  return {sides[0], sides[1]};
+}
+
+/// -1 stands for an option that is not given.
+std::optional<double> in_range(const char* option, double value, double low, double high) {
+  if (value == -1) return {};
+  if (value >= low && value <= high) return value;
+  throw usage_error(std::string(option) + " is " + shortest_text(value) + "; accepted is a number from " +
+                    shortest_text(low) + " to " + shortest_text(high) + ".");
+}
+
+}  // namespace
+
+SceneChanges scene_changes(const RunOptions& options) {
+  SceneChanges changes;
+  changes.heightmap = options.heightmap;
+  changes.rays_file = options.rays_file;
+  changes.angle_degrees = in_range("--angle", options.angle_degrees, 0, 89.9);
+  changes.depth = in_range("--depth", options.depth, 1e-4, 10);
+  if (!options.size.empty()) changes.size = parse_size(options.size);
+  if (!options.crop.empty()) changes.crop = parse_crop(options.crop);
+  return changes;
+}
+
+std::vector<std::string> split_at_commas(const std::vector<std::string>& texts) {
+  std::vector<std::string> parts;
+  for (const std::string& text : texts) {
+    for (size_t start = 0; start <= text.size();) {
+      const size_t comma = std::min(text.find(',', start), text.size());
+      if (comma > start) parts.push_back(text.substr(start, comma - start));
+      start = comma + 1;
+    }
+  }
+  return parts;
+}
+
+std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names) {
+  const std::vector<std::string> parts = split_at_commas(names);
+  const auto all = algorithms();
+  if (parts.empty() || (parts.size() == 1 && parts[0] == "all")) return {all.begin(), all.end()};
+  std::vector<Algorithm> found;
+  for (const std::string& name : parts) {
+    const Algorithm* algorithm = find_algorithm(name);
+    if (!algorithm) {
+      std::vector<std::string_view> ids;
+      for (const Algorithm& known : all) ids.push_back(known.id);
+      const std::string near = did_you_mean(name, ids);
+      throw usage_error("There is no algorithm `" + printable(name) + "`; accepted are " + joined(ids) +
+                        (near.empty() ? "." : near));
+    }
+    for (const Algorithm& earlier : found) {
+      if (earlier.id == algorithm->id)
+        throw usage_error("Algorithm " + name + " is given twice; accepted is once.");
+    }
+    found.push_back(*algorithm);
+  }
+  return found;
+}
+
+std::vector<ResolvedArchitecture> parse_architectures(const std::vector<std::string>& names,
+                                                      const std::vector<std::string>& settings,
+                                                      Fidelity fidelity) {
+  std::vector<ResolvedArchitecture> found;
+  for (const std::string& name : split_at_commas(names)) {
+    found.push_back(resolve_architecture(name, settings, fidelity == Fidelity::kCycle));
+    for (size_t k = 0; k + 1 < found.size(); ++k) {
+      if (found[k].architecture.name == found.back().architecture.name) {
+        throw usage_error("Two architectures are named " + found[k].architecture.name +
+                          "; accepted are different names, since results are told apart by them.");
+      }
+    }
+  }
+  if (found.empty())
+    throw usage_error("--arch names no architecture; `cuesta list architectures` prints all.");
+  return found;
+}
+
+std::string scene_or_default(const std::string& named, const RunOptions& options) {
+  if (!named.empty()) return named;
+  if (!options.heightmap.empty()) return "default";
+  throw usage_error(
+      "No scene is given; accepted is a scene file, a name out of `cuesta list scenes`, or --heightmap.");
+}
+
+}  // namespace cuesta

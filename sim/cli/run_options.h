@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "models/traversal/schedule.h"
+#include "sim/cli/command.h"
+#include "sim/config/architecture_file.h"
+#include "sim/job.h"
+#include "sim/machine.h"
+
+namespace cuesta {
+
+/// Options that `run` and `compare` share.
+struct RunOptions {
+  std::string fidelity = "cycle";
+  std::string host = "direct";
+  std::vector<std::string> settings;
+  std::string heightmap, rays_file, crop, size;
+  double angle_degrees = -1, depth = -1;  ///< below 0: not given
+  std::string folder;                     ///< -o; empty: the next free one below results/
+  bool json = false;
+  bool force = false;
+
+  void declare(CLI::App& app);
+};
+
+/// Throws usage_error for names that are not known, and for known ones that this program cannot run yet.
+Fidelity parse_fidelity(const std::string& name);
+void check_host(const std::string& name);
+
+/// Throws usage_error for angles, depths, sizes and crops out of range.
+SceneChanges scene_changes(const RunOptions& options);
+
+/// Names to algorithms, in order; names may be joined by commas; "all" or nothing: every one. Throws usage_error
+/// for an unknown or repeated name.
+std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names);
+
+/// Names or files to machines, in order; joined by commas as well. Throws usage_error as resolve_architecture does,
+/// and for two of one name.
+std::vector<ResolvedArchitecture> parse_architectures(const std::vector<std::string>& names,
+                                                      const std::vector<std::string>& settings,
+                                                      Fidelity fidelity);
+
+/// The scene to use: `named`, or the built-in `default` where only a height map is given. Throws usage_error.
+std::string scene_or_default(const std::string& named, const RunOptions& options);
+
+/// "a,b", "c" -> a, b, c.
+std::vector<std::string> split_at_commas(const std::vector<std::string>& texts);
+
+}  // namespace cuesta

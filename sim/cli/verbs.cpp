@@ -1,0 +1,48 @@
+#include "sim/cli/verbs.h"
+
+namespace cuesta {
+namespace {
+
+constexpr Verb kVerbs[] = {
+    {"run", "One algorithm on one machine: rays, traversal, timing, report.",
+     "cuesta run default --algorithm yun2013 --arch mobile --set height_l1.ways=8 -o my-result",
+     make_run_command},
+    {"compare", "Several algorithms and machines on the same rays, side by side.",
+     "cuesta compare default --algorithm dda,oh2006,yun2013 --arch tiny,mobile", make_compare_command},
+    {"trace", "Writes a scene's rays into a file.", "cuesta trace default -o default.rays",
+     make_trace_command},
+    {"rays info", "What a ray trace holds.", "cuesta rays info default.rays", make_rays_info_command},
+    {"rays convert", "A ray trace to CSV or back, by the name's ending.",
+     "cuesta rays convert default.rays default.csv", make_rays_convert_command},
+    {"rays check", "Reads a ray trace to its end and names what is damaged.",
+     "cuesta rays check default.rays", make_rays_check_command},
+    {"list", "What there is: algorithms, scenes, architectures, effects, parameters or statistics.",
+     "cuesta list parameters", make_list_command},
+    {"verify oracle", "Holds traversal against exact arithmetic, ray by ray.", "cuesta verify oracle",
+     make_verify_oracle_command},
+    {"verify laws", "Holds every algorithm on every machine against the conservation laws of the accounting.",
+     "cuesta verify laws --size 64", make_verify_laws_command},
+};
+
+struct Group {
+  std::string_view name, sentence;
+};
+
+constexpr Group kGroups[] = {
+    {"heightmap", "Make a heightmap, or see what a file holds and how it will be read."},
+    {"rays", "Look into a ray trace, convert it to and from CSV, check it."},
+    {"verify", "Hold results against exact arithmetic or the laws of the accounting."},
+};
+
+}  // namespace
+
+std::span<const Verb> verbs() { return kVerbs; }
+
+std::string_view group_sentence(std::string_view group) {
+  for (const Group& known : kGroups) {
+    if (known.name == group) return known.sentence;
+  }
+  return {};
+}
+
+}  // namespace cuesta

@@ -1,0 +1,134 @@
+#include "sim/job.h"
+
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "models/common/digest.h"
+#include "models/common/error.h"
+#include "models/traversal/hit.h"
+#include "traces/scene_heights.h"
+#include "traces/scene_library.h"
+
+namespace cuesta {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string sha256_of_text(const std::string& text) {
+  Digest digest;
+  digest.bytes(std::as_bytes(std::span(text)));
+  return digest.hex();
+}
+
+/// "map.png:A" is channel A of map.png, unless there is a file of the whole name.
+void use_heightmap(const std::string& heightmap, Scene& scene) {
+  HeightSource source;
+  source.path = heightmap;
+  const size_t colon = heightmap.rfind(':');
+  std::error_code ignored;
+  if (colon != std::string::npos && !fs::exists(heightmap, ignored)) {
+    source.path = heightmap.substr(0, colon);
+    source.channel = heightmap.substr(colon + 1);
+  }
+  scene.image = source;
+  scene.generated = {};
+  scene.name = fs::path(source.path).stem().string();
+}
+
+void apply_changes(const SceneChanges& changes, Scene& scene) {
+  if (!changes.heightmap.empty()) use_heightmap(changes.heightmap, scene);
+  if (!changes.rays_file.empty()) scene.rays_file = changes.rays_file;
+  const bool camera = changes.angle_degrees || changes.size;
+  if (camera && !scene.rays_file.empty()) {
+    throw usage_error("--angle and --size say how the camera makes rays, and the rays come from " +
+                      scene.rays_file + "; accepted is one of the two.");
+  }
+  if (changes.angle_degrees) {
+    if (!scene.camera.by_angle) {
+      throw usage_error("--angle turns a camera that is given by its angle, and " + scene.origin +
+                        " gives its camera by position.");
+    }
+    scene.camera.angle_degrees = *changes.angle_degrees;
+  }
+  if (changes.depth) scene.depth = *changes.depth;
+  if (changes.size) {
+    scene.width = changes.size->first;
+    scene.height = changes.size->second;
+    const std::string fault =
+        fault_of_grid(static_cast<uint64_t>(scene.width), static_cast<uint64_t>(scene.height));
+    if (!fault.empty()) throw usage_error("--size makes " + fault + ".");
+  }
+}
+
+HeightGrid load_grid(Job& job) {
+  const Scene& scene = job.scene;
+  LoadedHeights loaded = heights_of(scene);
+  if (!scene.generated.kind.empty()) {
+    job.heights_statement =
+        "generated " + scene.generated.kind + ", seed " + std::to_string(scene.generated.seed);
+  } else {
+    job.inputs.push_back({"heightmap", scene.image.path, sha256_of_file(scene.image.path)});
+    job.heights_statement = scene.image.path + ", channel " + loaded.statement.channel;
+  }
+  HeightGrid grid = std::move(loaded.grid);
+  job.heights_statement += ": " + std::to_string(grid.width) + " x " + std::to_string(grid.height) +
+                           " texels, " + std::to_string(grid.bits) + " bits";
+  return grid;
+}
+
+/// A frame that cannot fit is refused in a sentence, before the system ends the program without one.
+void check_memory(uint64_t rays, uint64_t pixels) {
+  constexpr uint64_t kPerRay =
+      sizeof(TracedRay) + sizeof(MachineRay) + sizeof(HitRecord) + 96;  // 96: times, owner
+  constexpr uint64_t kPerPixel = 32;                                    // planes
+  const uint64_t needed = rays * kPerRay + pixels * kPerPixel;
+  const uint64_t there =
+      static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+  if (needed <= there) return;
+  constexpr uint64_t kGiB = uint64_t{1} << 30;
+  throw Error(ExitCode::kResource, std::to_string(rays) + " rays over " + std::to_string(pixels) +
+                                       " pixels need about " + std::to_string(needed / kGiB + 1) +
+                                       " GiB of memory, and this host has " + std::to_string(there / kGiB) +
+                                       "; a smaller --size or a --crop needs less.");
+}
+
+}  // namespace
+
+Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes) {
+  Job job;
+  job.scene = find_scene(scene_name_or_path);
+  const Scene& scene = job.scene;
+  job.inputs.push_back({"scene", scene.origin, sha256_of_text(scene.text)});
+  apply_changes(changes, job.scene);
+  if (scene.rays_file.empty()) {
+    const uint64_t pixels = static_cast<uint64_t>(scene.width) * static_cast<uint64_t>(scene.height);
+    const uint64_t rays = changes.crop ? static_cast<uint64_t>(changes.crop->width) *
+                                             static_cast<uint64_t>(changes.crop->height)
+                                       : pixels;
+    check_memory(std::min(rays, pixels), pixels);
+  }
+
+  const HeightGrid grid = load_grid(job);
+  job.pyramid = build_max_pyramid(grid);
+  job.map = {grid.width, grid.height, job.pyramid.root_level(), grid.bits, scene.address_mode};
+
+  job.trace = make_rays(scene, grid.width, grid.height, changes.crop);
+  if (!scene.rays_file.empty()) {
+    job.inputs.push_back({"rays", scene.rays_file, sha256_of_file(scene.rays_file)});
+    check_memory(job.trace.rays.size(),
+                 static_cast<uint64_t>(job.trace.width) * static_cast<uint64_t>(job.trace.height));
+  }
+  if (job.trace.rays.empty()) {
+    throw input_error("No ray of scene " + scene.name +
+                      " meets the surface: nothing to run; turn the camera, or widen "
+                      "the crop.");
+  }
+  job.pixel_of_ray.reserve(job.trace.rays.size());
+  for (const TracedRay& ray : job.trace.rays) {
+    job.pixel_of_ray.push_back(ray.pixel_y * static_cast<uint32_t>(job.trace.width) + ray.pixel_x);
+  }
+  return job;
+}
+
+}  // namespace cuesta

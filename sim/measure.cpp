@@ -1,0 +1,110 @@
+#include "sim/measure.h"
+
+#include "models/common/digest.h"
+#include "models/common/error.h"
+
+namespace cuesta {
+namespace {
+
+bool equal(const NumberFormat& a, const NumberFormat& b) {
+  return a.fraction_bits == b.fraction_bits && a.direction_bits == b.direction_bits &&
+         a.mantissa_bits == b.mantissa_bits && a.tile_bits == b.tile_bits;
+}
+
+MachineFacts facts_of(const Architecture& a, Fidelity fidelity, int texel_bytes) {
+  MachineFacts facts;
+  facts.pipelines = a.machine.pipelines;
+  facts.texel_bytes = texel_bytes;
+  if (fidelity == Fidelity::kFunctional) return facts;
+  facts.clock_mhz = a.machine.clock_mhz;
+  facts.line_bytes = a.height_l1.line_bytes;
+  facts.dram_peak_bytes_num = int64_t{a.dram.channels} * a.dram.bus_bytes * a.dram.clock_num;
+  facts.dram_peak_bytes_den = a.dram.clock_den;
+  return facts;
+}
+
+}  // namespace
+
+std::string_view name_of(Fidelity fidelity) {
+  return fidelity == Fidelity::kFunctional ? "functional" : "cycle";
+}
+
+std::string Measurer::steps_free_digest(const std::vector<HitRecord>& hits) {
+  Digest digest;
+  for (const HitRecord& hit : hits) {
+    digest.u64(hit.ray_id);
+    digest.u8(static_cast<uint8_t>(hit.status));
+    digest.u8(static_cast<uint8_t>(hit.face));
+    digest.u8(hit.stop_level);
+    digest.u32(static_cast<uint32_t>(hit.i));
+    digest.u32(static_cast<uint32_t>(hit.j));
+    digest.i64(hit.t);
+  }
+  return digest.hex();
+}
+
+const std::vector<MachineRay>& Measurer::rays_for(const NumberFormat& format) {
+  for (const auto& [known, rays] : rays_) {
+    if (equal(known, format)) return rays;
+  }
+  std::vector<MachineRay> rays;
+  rays.reserve(job_.trace.rays.size());
+  for (const TracedRay& ray : job_.trace.rays) rays.push_back(quantise(ray, job_.map, format));
+  rays_.clear();  // machines mostly share one format: keep the last one only
+  return rays_.emplace_back(format, std::move(rays)).second;
+}
+
+void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Architecture& architecture,
+                               const std::string& run_name) {
+  const NumberFormat format = number_format(architecture.traverse, job_.map);
+  std::string numbers = std::to_string(static_cast<int>(architecture.traverse.arithmetic));
+  for (int bits : {format.fraction_bits, format.direction_bits, format.mantissa_bits, format.tile_bits}) {
+    numbers += "," + std::to_string(bits);
+  }
+  const std::string digest = steps_free_digest(hits);
+  const auto& [first_digest, first_run] = hits_.try_emplace(numbers, digest, run_name).first->second;
+  if (digest != first_digest) {
+    throw Error(ExitCode::kMismatch, run_name + " and " + first_run +
+                                         " find different hits on the same rays of scene " + job_.scene.name +
+                                         ": a fault of the simulator; please report it.");
+  }
+}
+
+RunEntry Measurer::run(const Algorithm& algorithm, const Architecture& architecture, Fidelity fidelity,
+                       const Progress& progress) {
+  Workload work;
+  work.pyramid = &job_.pyramid;
+  work.map = job_.map;
+  work.rays = rays_for(number_format(architecture.traverse, job_.map));
+  work.pixel_of_ray = job_.pixel_of_ray;
+  work.width = job_.trace.width;
+  work.height = job_.trace.height;
+  work.schedule = algorithm.schedule;
+  Outcome outcome = fidelity == Fidelity::kFunctional ? run_functional(work, architecture, progress)
+                                                      : run_cycle(work, architecture, progress);
+
+  RunEntry entry;
+  entry.scene = job_.scene.name;
+  entry.algorithm = algorithm.id;
+  entry.architecture = architecture.name;
+  entry.fidelity = name_of(fidelity);
+  entry.machine = facts_of(architecture, fidelity, job_.pyramid.texel_bytes());
+  entry.finished_rays = outcome.finished_rays;
+  entry.all_rays = work.rays.size();
+  if (!entry.partial()) {
+    const std::string run_name = entry.algorithm + " on " + entry.architecture;
+    const std::vector<std::string> broken = broken_laws(work, architecture, fidelity, outcome);
+    if (!broken.empty()) {
+      throw Error(ExitCode::kMismatch, "The accounting of " + run_name + " over scene " + entry.scene + " (" +
+                                           entry.fidelity + ") breaks " + std::to_string(broken.size()) +
+                                           " of its laws; the first: " + broken.front());
+    }
+    check_same_hits(outcome.hits, architecture, run_name);
+  }
+  entry.measurements = std::move(outcome.measurements);
+  entry.hits_digest = std::move(outcome.hits_digest);
+  entry.digest = std::move(outcome.digest);
+  return entry;
+}
+
+}  // namespace cuesta

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "reports/result.h"
+#include "sim/job.h"
+#include "sim/machine.h"
+
+namespace cuesta {
+
+std::string_view name_of(Fidelity fidelity);
+
+/// Runs algorithms on machines over one job, and holds every run against what must be true of it.
+class Measurer {
+ public:
+  /// `job` must outlive it.
+  explicit Measurer(const Job& job) : job_(job) {}
+
+  /// Throws Error(kMismatch) for a broken law of the accounting, and when exact algorithms disagree: with the same
+  /// numbers, every schedule returns the same hits. Throws input_error for a ray that does not fit the machine's
+  /// numbers. Stopped early by `progress`, the entry is partial and only its finished rays count.
+  RunEntry run(const Algorithm& algorithm, const Architecture& architecture, Fidelity fidelity,
+               const Progress& progress = {});
+
+  /// Digest over the hits without their steps: equal for all exact algorithms with the same numbers.
+  static std::string steps_free_digest(const std::vector<HitRecord>& hits);
+
+ private:
+  /// Quantised once for each number format.
+  const std::vector<MachineRay>& rays_for(const NumberFormat& format);
+  void check_same_hits(const std::vector<HitRecord>& hits, const Architecture& architecture,
+                       const std::string& run_name);
+
+  const Job& job_;
+  std::vector<std::pair<NumberFormat, std::vector<MachineRay>>> rays_;
+  std::map<std::string, std::pair<std::string, std::string>> hits_;  ///< numbers -> digest, who found it
+};
+
+}  // namespace cuesta
