@@ -4,38 +4,35 @@
 
 #include <array>
 #include <cstdio>
-#include <cstring>
 
 #include "models/common/error.h"
 
 namespace cuesta {
 
-struct Digest::State {
-  EVP_MD_CTX* context = EVP_MD_CTX_new();
-  std::array<unsigned char, 1 << 16> buffer;
-  size_t used = 0;
+struct Digest::Context {
+  EVP_MD_CTX* evp = EVP_MD_CTX_new();
 
-  State() {
-    if (context == nullptr || EVP_DigestInit_ex(context, EVP_sha256(), nullptr) != 1) {
+  Context() {
+    if (evp == nullptr || EVP_DigestInit_ex(evp, EVP_sha256(), nullptr) != 1) {
       throw Error(ExitCode::kInternal, "SHA-256 cannot be set up in this build's OpenSSL.");
     }
   }
-  ~State() { EVP_MD_CTX_free(context); }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-
-  void flush() {
-    EVP_DigestUpdate(context, buffer.data(), used);
-    used = 0;
-  }
+  ~Context() { EVP_MD_CTX_free(evp); }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
 };
 
-Digest::Digest() : state_(std::make_unique<State>()) {}
+Digest::Digest() : context_(std::make_unique<Context>()) {}
 Digest::~Digest() = default;
 
+void Digest::flush() {
+  EVP_DigestUpdate(context_->evp, buffer_.data(), used_);
+  used_ = 0;
+}
+
 void Digest::bytes(std::span<const std::byte> data) {
-  state_->flush();
-  EVP_DigestUpdate(state_->context, data.data(), data.size());
+  flush();
+  EVP_DigestUpdate(context_->evp, data.data(), data.size());
 }
 
 void Digest::text(std::string_view characters) {
@@ -43,23 +40,11 @@ void Digest::text(std::string_view characters) {
   bytes(std::as_bytes(std::span(characters)));
 }
 
-void Digest::little_endian(uint64_t value, int size) {
-  State& state = *state_;
-  if (state.used + 8 > state.buffer.size()) state.flush();
-  if constexpr (std::endian::native == std::endian::little) {
-    std::memcpy(state.buffer.data() + state.used, &value, 8);  // the rest of the eight is overwritten next
-  } else {
-    for (int k = 0; k < size; ++k)
-      state.buffer[state.used + static_cast<size_t>(k)] = static_cast<unsigned char>(value >> (8 * k));
-  }
-  state.used += static_cast<size_t>(size);
-}
-
 std::string Digest::hex() {
-  state_->flush();
+  flush();
   unsigned char hash[EVP_MAX_MD_SIZE];
   unsigned size = 0;
-  EVP_DigestFinal_ex(state_->context, hash, &size);
+  EVP_DigestFinal_ex(context_->evp, hash, &size);
   static const char digits[] = "0123456789abcdef";
   std::string text;
   for (unsigned k = 0; k < size; ++k) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -31,9 +32,17 @@ class Digest {
   std::string hex();
 
  private:
-  void little_endian(uint64_t value, int size);
-  struct State;
-  std::unique_ptr<State> state_;
+  void little_endian(uint64_t value, size_t size) {
+    if (used_ + 8 > buffer_.size()) flush();
+    for (size_t k = 0; k < 8; ++k) buffer_[used_ + k] = static_cast<std::byte>(value >> (8 * k));
+    used_ += size;  // the rest of the eight is overwritten next
+  }
+  void flush();
+
+  struct Context;
+  std::unique_ptr<Context> context_;
+  std::array<std::byte, 4096> buffer_;
+  size_t used_ = 0;
 };
 
 /// SHA-256 of a file's bytes as 64 hexadecimal digits. Throws input_error when it cannot be read.

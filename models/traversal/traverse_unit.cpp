@@ -150,7 +150,8 @@ void TraverseUnit::bubble(Cycle limit) {
   next = std::max(next, cycle_ + 1);
   if (next >= kNever || watchdog_.expired(next)) give_up();
   count_bubbles(next - cycle_);
-  next_slot(next - cycle_);
+  slot_ = static_cast<int>((slot_ + next - cycle_) % stages_);
+  cycle_ = next;
 }
 
 void TraverseUnit::give_up() const {

@@ -121,9 +121,9 @@ class TraverseUnit {
   void bubble(Cycle limit);
   void count_bubbles(Cycle cycles);
   [[noreturn]] void give_up() const;
-  void next_slot(Cycle cycles = 1) {
-    slot_ = static_cast<int>((slot_ + cycles) % stages_);
-    cycle_ += cycles;
+  void next_slot() {
+    if (++slot_ == stages_) slot_ = 0;
+    ++cycle_;
   }
 
   StepSource& source_;
