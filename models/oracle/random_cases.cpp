@@ -123,7 +123,9 @@ Placed whole_ray(Random& random, const RandomMap& map) {
   const auto full = static_cast<int64_t>(grid.full_scale());
   const int64_t height = grid.texels[random.below(grid.texels.size())];
   const double rise = static_cast<double>(int64_t{1} << random.between(0, grid.bits / 2));
-  const auto half = [&](int64_t least, int64_t most) { return static_cast<double>(random.between(least, most)) / 2; };
+  const auto half = [&](int64_t least, int64_t most) {
+    return static_cast<double>(random.between(least, most)) / 2;
+  };
   Placed ray;
   ray.origin[0] = half(0, 2 * grid.width);
   ray.origin[1] = half(0, 2 * grid.height);
@@ -206,7 +208,8 @@ TracedRay random_ray(Random& random, const RandomMap& map, uint64_t id) {
   TracedRay ray;
   ray.id = id;
   Placed placed = random.chance(0.4) ? whole_ray(random, map) : free_ray(random, map, size);
-  if (placed.direction[0] == 0 && placed.direction[1] == 0 && placed.direction[2] == 0) placed.direction[2] = -1;
+  if (placed.direction[0] == 0 && placed.direction[1] == 0 && placed.direction[2] == 0)
+    placed.direction[2] = -1;
   if (random.chance(0.3)) {
     ray.t_max = static_cast<double>(random.between(1, 16)) * (random.chance(0.5) ? 1 : 0.37);
   }

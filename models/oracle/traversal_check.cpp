@@ -9,6 +9,7 @@
 #include "models/common/error.h"
 #include "models/heightmap/pyramid.h"
 #include "models/oracle/schedule_walk.h"
+#include "models/traversal/lanes.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {
@@ -101,6 +102,9 @@ struct TraversalChecker::State {
   OracleMap oracle;
   std::vector<Schedule> schedules;
   std::vector<HitRecord> fixed;  ///< by schedule, of the ray at hand
+  std::vector<TracedRay> traced_rays;
+  std::vector<MachineRay> rays;
+  std::vector<std::vector<HitRecord>> records;  ///< by schedule and ray: fixed, one ray at a time
 
   HitRecord walk(Arithmetic arithmetic, const Schedule& schedule, const MachineRay& ray) const {
     return with_traversal_types(arithmetic, map.shape, [&]<class A, class G>() {
@@ -123,7 +127,8 @@ struct TraversalChecker::State {
 };
 
 TraversalChecker::TraversalChecker(const RandomMap& map, const TraversalCheckOptions& options)
-    : state_(new State{map, options, build_max_pyramid(map.grid), {}, {}, schedules(options), {}}) {
+    : state_(
+          new State{map, options, build_max_pyramid(map.grid), {}, {}, schedules(options), {}, {}, {}, {}}) {
   State& s = *state_;
   s.leaves = options.stop_level > 0 ? build_mean_pyramid(map.grid) : s.max_pyramid;
   const int level = options.stop_level;
@@ -228,8 +233,33 @@ void TraversalChecker::check(const TracedRay& traced, TraversalCheck& counts) {
   const bool steps = s.options.step_check_every > 0 && s.options.stop_level == 0;
   if (steps && counts.rays % s.options.step_check_every == 0) s.check_steps(traced, ray, counts);
   if (s.options.verdicts) s.judge_all(traced, ray, counts);
+  s.traced_rays.push_back(traced);
+  s.rays.push_back(ray);
+  s.records.resize(s.schedules.size());
+  for (size_t k = 0; k < s.schedules.size(); ++k) s.records[k].push_back(s.fixed[k]);
   ++counts.rays;
   if (s.fixed[0].status == HitStatus::kHit) ++counts.hits;
+}
+
+void TraversalChecker::check_lanes(TraversalCheck& counts) const {
+  const State& s = *state_;
+  if (!s.map.shape.is_square_power_of_two() || s.options.stop_level > 0 || s.rays.empty()) return;
+  std::vector<HitRecord> found(s.rays.size());
+  for (size_t k = 0; k < s.schedules.size(); ++k) {
+    const Pyramid& pyramid = s.max_pyramid;
+    const Walk<FixedArithmetic, PlainAxis> walk(s.map.shape, s.map.format, s.schedules[k],
+                                                pyramid.at(pyramid.root_level(), 0, 0));
+    if (!lanes_can(walk)) return;
+    traverse_lanes(walk, pyramid, s.rays, {}, found, nullptr);
+    for (size_t r = 0; r < found.size(); ++r) {
+      ++counts.lane_comparisons;
+      if (found[r] == s.records[k][r]) continue;
+      ++counts.lane_errors;
+      s.fail(counts, s.traced_rays[r], s.rays[r],
+             "fixed, " + describe(s.schedules[k]) + ": many rays at a time differ from one at a time",
+             s.records[k][r], found[r]);
+    }
+  }
 }
 
 void TraversalCheck::add(const TraversalCheck& other) {
@@ -244,6 +274,8 @@ void TraversalCheck::add(const TraversalCheck& other) {
   oracle_errors += other.oracle_errors;
   step_comparisons += other.step_comparisons;
   step_errors += other.step_errors;
+  lane_comparisons += other.lane_comparisons;
+  lane_errors += other.lane_errors;
   for (size_t a = 0; a < 3; ++a) {
     for (size_t v = 0; v < kVerdicts; ++v) verdicts[a].of[v] += other.verdicts[a].of[v];
     other_face[a] += other.other_face[a];
@@ -273,6 +305,7 @@ TraversalCheck check_random_traversals(uint64_t seed, int64_t rays, int max_side
         // An origin outside the tiles that this format can hold: refused, as it should be.
       }
     }
+    checker.check_lanes(counts);
   }
   return counts;
 }

@@ -22,12 +22,16 @@ struct TraversalCheck {
   int64_t oracle_errors = 0;
   int64_t step_comparisons = 0;  ///< fixed-point steps of a schedule against the same schedule walked exactly
   int64_t step_errors = 0;
+  int64_t lane_comparisons = 0;  ///< many rays at a time against one at a time: whole records
+  int64_t lane_errors = 0;
   std::array<VerdictCounts, 3> verdicts;     ///< by Arithmetic, of the ray at the machine's input
   std::array<int64_t, 3> other_face{};       ///< right cell, another face
   std::array<std::string, 3> first_other{};  ///< first verdict that is neither exact nor a tie, decoded
   std::string first_failure;                 ///< decoded: map, ray, both answers
 
-  bool passed() const { return mismatches == 0 && endless == 0 && oracle_errors == 0 && step_errors == 0; }
+  bool passed() const {
+    return mismatches == 0 && endless == 0 && oracle_errors == 0 && step_errors == 0 && lane_errors == 0;
+  }
   void add(const TraversalCheck& other);
 };
 
@@ -48,6 +52,8 @@ class TraversalChecker {
   TraversalChecker& operator=(const TraversalChecker&) = delete;
 
   void check(const TracedRay& ray, TraversalCheck& counts);
+  /// Holds `traverse_lanes`, where this processor and map allow it, against all rays checked so far.
+  void check_lanes(TraversalCheck& counts) const;
 
  private:
   struct State;

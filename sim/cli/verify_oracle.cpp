@@ -43,11 +43,11 @@ class VerifyOracleCommand : public Command {
     }
     print(counts);
     if (!counts.passed()) {
-      throw Error(
-          ExitCode::kMismatch,
-          fmt::format("verify oracle: {} mismatches, {} endless walks, {} oracle errors and {} step errors "
-                      "with seed {}; the first is decoded above.",
-                      counts.mismatches, counts.endless, counts.oracle_errors, counts.step_errors, seed_));
+      throw Error(ExitCode::kMismatch, fmt::format("verify oracle: {} mismatches, {} endless walks, {} "
+                                                   "oracle errors, {} step errors and {} lane errors "
+                                                   "with seed {}; the first is decoded above.",
+                                                   counts.mismatches, counts.endless, counts.oracle_errors,
+                                                   counts.step_errors, counts.lane_errors, seed_));
     }
     fmt::print("verify oracle: {} rays, {} comparisons, 0 mismatches, 0 endless walks, 0 oracle errors{}\n",
                counts.rays, counts.comparisons, stopped ? "; stopped before the end" : "");
@@ -64,6 +64,10 @@ class VerifyOracleCommand : public Command {
                c.oracle_brute, c.oracle_errors);
     fmt::print("fixed-point steps against the same schedule walked exactly:\n");
     fmt::print("  {} comparisons, {} errors\n", c.step_comparisons, c.step_errors);
+    if (c.lane_comparisons > 0) {
+      fmt::print("many rays at a time (AVX-512) against one at a time (whole records):\n");
+      fmt::print("  {} comparisons, {} errors\n", c.lane_comparisons, c.lane_errors);
+    }
     fmt::print("dda against the exact answer to the machine's input (rays in the default number format):\n");
     fmt::print("  {:<8}", "");
     for (int v = 0; v < kVerdicts; ++v) fmt::print("{:>12}", name_of(static_cast<Verdict>(v)));

@@ -23,6 +23,7 @@ void expect_passed(const TraversalCheck& c) {
   EXPECT_EQ(c.endless, 0) << c.first_failure;
   EXPECT_EQ(c.oracle_errors, 0) << c.first_failure;
   EXPECT_EQ(c.step_errors, 0) << c.first_failure;
+  EXPECT_EQ(c.lane_errors, 0) << c.first_failure;
   std::printf(
       "%lld maps, %lld rays (%lld hit), %lld comparisons, %lld exact walks, %lld by brute force, %lld "
       "steps\n",
@@ -71,6 +72,7 @@ void check_on(const RandomMap& map, int rays) {
     } catch (const Error&) {  // moved to the top, it started beyond the format's tiles
     }
   }
+  checker.check_lanes(counts);
   expect_passed(counts);
 }
 
