@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "models/architecture.h"
@@ -101,6 +102,7 @@ class HeightL1Twin {
     if (landing_) {
       Mshr& mshr = mshrs_[*landing_];
       Way& way = sets_[mshr.line % set_count_][mshr.way];
+      evictions_ += way.valid ? 1 : 0;
       way.valid = true;
       way.line = mshr.line;
       mshr.landed = true;
@@ -109,13 +111,12 @@ class HeightL1Twin {
     looked_up_.reset();
     landing_.reset();
     request_sent_ = replayed_ = retried_ = false;
-    most_mshrs_ = std::max<int64_t>(
-        most_mshrs_, std::count_if(mshrs_.begin(), mshrs_.end(), [](const Mshr& m) { return m.allocated; }));
-    most_retries_ = std::max(most_retries_, static_cast<int64_t>(retry_fifo_.size()));
+    mshr_cycles_ += std::count_if(mshrs_.begin(), mshrs_.end(), [](const Mshr& m) { return m.allocated; });
   }
 
-  int64_t most_mshrs() const { return most_mshrs_; }      ///< allocated at the end of a cycle, at most
-  int64_t most_retries() const { return most_retries_; }  ///< rays in the retry FIFO, at most
+  int64_t mshr_cycles() const { return mshr_cycles_; }  ///< sum over cycles of MSHRs taken at their end
+  int64_t evictions() const { return evictions_; }      ///< fills that replaced a line
+  int64_t unique_lines() const { return static_cast<int64_t>(lines_requested_.size()); }
 
  private:
   struct Way {
@@ -173,6 +174,7 @@ class HeightL1Twin {
     way.in_use = true;
     mshrs_[now.mshr] = Mshr{true, false, now.line, now.way, {now.ray}};
     requests_.push_back({now.mshr, now.line, now.ray});
+    lines_requested_.insert(now.line);
   }
 
   int pipeline_;
@@ -184,7 +186,8 @@ class HeightL1Twin {
   std::deque<int> retry_fifo_;    ///< rays
   std::deque<Request> requests_;  ///< allocated, not left
   int64_t time_ = 0;
-  int64_t most_mshrs_ = 0, most_retries_ = 0;
+  int64_t mshr_cycles_ = 0, evictions_ = 0;
+  std::set<uint64_t> lines_requested_;
 
   std::optional<Lookup> looked_up_;
   std::optional<int> landing_;

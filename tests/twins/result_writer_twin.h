@@ -49,15 +49,15 @@ class ResultWriterTwin {
       ++bursts_;
       ++outstanding_;
     }
-    if (taken_) {
-      if (filled_ == 0) first_ = *taken_;
+    if (taken_ >= 0) {
+      if (filled_ == 0) first_ = taken_;
       ++filled_;
       ++records_;
     }
     outstanding_ -= acknowledged_;
     sends_ = false;
     acknowledged_ = 0;
-    taken_.reset();
+    taken_ = -1;
   }
 
   bool idle() const { return filled_ == 0 && outstanding_ == 0; }
@@ -73,7 +73,7 @@ class ResultWriterTwin {
   int first_ = -1;
   int outstanding_ = 0;
   int64_t bursts_ = 0, records_ = 0;
-  std::optional<int> taken_;
+  int taken_ = -1;
   bool sends_ = false;
   int acknowledged_ = 0;
 };

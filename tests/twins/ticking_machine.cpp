@@ -59,10 +59,14 @@ TickingResult TickingMachine::run(Cycle patience) {
     PipelineCounts& counts = result_.pipelines[p];
     counts.records = pipelines_[p].result_writer.records();
     counts.bursts = pipelines_[p].result_writer.bursts();
-    counts.most_resident = pipelines_[p].traverse.most_resident();
-    counts.most_mshrs = pipelines_[p].height_l1.most_mshrs();
-    counts.most_retries = pipelines_[p].height_l1.most_retries();
-    counts.most_hits_queued = pipelines_[p].hit_queue.most();
+    counts.resident_cycles = pipelines_[p].traverse.resident_cycles();
+    counts.mshr_cycles = pipelines_[p].height_l1.mshr_cycles();
+    counts.evictions = pipelines_[p].height_l1.evictions();
+    counts.unique_lines = pipelines_[p].height_l1.unique_lines();
+    counts.pushes = pipelines_[p].hit_queue.pushes();
+    counts.pops = pipelines_[p].hit_queue.pops();
+    counts.record_cycles = pipelines_[p].hit_queue.record_cycles();
+    counts.most_records = pipelines_[p].hit_queue.most();
   }
   result_.dram = dram_.counts();
   return std::move(result_);
@@ -132,7 +136,10 @@ void TickingMachine::tick_pipeline(int p, Cycle cycle) {
         write_base_ + place * static_cast<uint64_t>(architecture_.result_writer.burst_bytes);
     pipeline.requests.push_back({p, true, 0, address, burst->owner});
   }
-  if (pipeline.ray_setup.evaluate(cycle)) ray_dispatch_.give_back(p, cycle);
+  if (pipeline.ray_setup.evaluate(cycle)) {
+    ray_dispatch_.give_back(p, cycle);
+    ++result_.pipelines[p].rays_entered;
+  }
 }
 
 void TickingMachine::account(int p, const TraverseTwin::Event& event, Cycle cycle) {
@@ -143,6 +150,8 @@ void TickingMachine::account(int p, const TraverseTwin::Event& event, Cycle cycl
   if (event.completed >= 0) {
     result_.rays[event.completed].completed = cycle;
     result_.hits[event.completed] = values_.record(event.completed);
+    ++counts.rays_completed;
+    counts.rays_hit += result_.hits[event.completed].status == HitStatus::kHit;
     last_progress_ = cycle;
   }
   if (event.lookup) {
@@ -150,11 +159,11 @@ void TickingMachine::account(int p, const TraverseTwin::Event& event, Cycle cycl
     counts.hits += *event.lookup == Answer::kHit;
     counts.merged += *event.lookup == Answer::kMerged;
     counts.allocated += *event.lookup == Answer::kAllocated;
+    result_.rays[event.issued].misses += *event.lookup == Answer::kAllocated;
     counts.refused += *event.lookup == Answer::kRefused;
   }
   counts.replays += event.replayed;
   counts.retries += event.retried;
-  counts.rays_dead += event.kind == TraverseCycle::kDead;
 }
 
 bool TickingMachine::finished() const {

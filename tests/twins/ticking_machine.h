@@ -25,6 +25,7 @@ struct RayTimes {
   Cycle sent = kNever;
   Cycle completed = kNever;
   int pipeline = -1;
+  int64_t misses = 0;       ///< MSHRs allocated for it
   int64_t issue_slots = 0;  ///< steps, misses, refused lookups, the slot of a dead ray
   int64_t fill_bytes = 0;
   int64_t write_bytes = 0;
@@ -33,13 +34,13 @@ struct RayTimes {
 };
 
 struct PipelineCounts {
-  int64_t rays = 0;
+  int64_t rays = 0, rays_entered = 0, rays_completed = 0, rays_hit = 0;
   std::array<int64_t, kTraverseCycleKinds> cycles{};  ///< by TraverseCycle
   int64_t lookups = 0, hits = 0, merged = 0, allocated = 0, refused = 0;
   int64_t replays = 0, retries = 0, fills = 0;
-  int64_t rays_dead = 0;
   int64_t records = 0, bursts = 0;
-  int64_t most_resident = 0, most_mshrs = 0, most_retries = 0, most_hits_queued = 0;
+  int64_t resident_cycles = 0, mshr_cycles = 0, evictions = 0, unique_lines = 0;
+  int64_t pushes = 0, pops = 0, record_cycles = 0, most_records = 0;
 };
 
 struct TickingResult {

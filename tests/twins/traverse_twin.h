@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -94,14 +93,14 @@ class TraverseTwin {
 
   void commit() {
     resident_ = next_.resident;
+    resident_cycles_ += resident_;
     if (!next_.moves) return;
     slots_[at_select_] = next_.slot;
     at_select_ = (at_select_ + 1) % slots_.size();
-    most_resident_ = std::max(most_resident_, resident_);
   }
 
   bool empty() const { return resident_ == 0; }
-  int most_resident() const { return most_resident_; }
+  int64_t resident_cycles() const { return resident_cycles_; }  ///< sum over cycles of rays at their end
 
  private:
   struct Slot {
@@ -141,7 +140,7 @@ class TraverseTwin {
   std::vector<Slot> slots_;
   size_t at_select_ = 0;
   int resident_ = 0;
-  int most_resident_ = 0;
+  int64_t resident_cycles_ = 0;
   Next next_;
 };
 
