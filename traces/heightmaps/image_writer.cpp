@@ -46,6 +46,8 @@ std::string write_rows(const std::string& path, const std::string& format, const
 
 }  // namespace
 
+void check_height_image_name(const std::string& path) { format_of(path); }
+
 void write_height_image(const std::string& path, const HeightGrid& grid, bool overwrite) {
   std::string format = format_of(path);
   std::error_code fault;

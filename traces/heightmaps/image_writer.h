@@ -13,4 +13,7 @@ namespace cuesta {
 /// be written.
 void write_height_image(const std::string& path, const HeightGrid& grid, bool overwrite = false);
 
+/// Throws usage_error for a name that write_height_image does not accept; for asking before the work.
+void check_height_image_name(const std::string& path);
+
 }  // namespace cuesta
