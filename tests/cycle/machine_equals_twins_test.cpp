@@ -38,7 +38,11 @@ void compare_from(uint64_t first_seed, int64_t rays) {
 }
 
 constexpr int64_t kTests = 4;
-constexpr int64_t kRays = 40'000;  // of each test
+#ifdef __SANITIZE_ADDRESS__
+constexpr int64_t kRays = 10'000;  // of each test
+#else
+constexpr int64_t kRays = 100'000;
+#endif
 
 TEST(MachineEqualsTwins, FirstQuarter) { compare_from(1'000'000, rays_to_compare(kRays, kTests)); }
 TEST(MachineEqualsTwins, SecondQuarter) { compare_from(2'000'000, rays_to_compare(kRays, kTests)); }
