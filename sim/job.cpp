@@ -95,12 +95,17 @@ void check_memory(uint64_t rays, uint64_t pixels) {
 
 }  // namespace
 
+Scene changed_scene(const std::string& scene_name_or_path, const SceneChanges& changes) {
+  Scene scene = find_scene(scene_name_or_path);
+  apply_changes(changes, scene);
+  return scene;
+}
+
 Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes) {
   Job job;
-  job.scene = find_scene(scene_name_or_path);
+  job.scene = changed_scene(scene_name_or_path, changes);
   const Scene& scene = job.scene;
   job.inputs.push_back({"scene", scene.origin, sha256_of_text(scene.text)});
-  apply_changes(changes, job.scene);
   if (scene.rays_file.empty()) {
     const uint64_t pixels = static_cast<uint64_t>(scene.width) * static_cast<uint64_t>(scene.height);
     const uint64_t rays = changes.crop ? static_cast<uint64_t>(changes.crop->width) *

@@ -37,7 +37,10 @@ struct Job {
   std::string heights_statement;       ///< one line: where the heights come from, size, bits
 };
 
-/// Finds a scene by name or path, changes it and makes it ready. Throws usage_error for the scene and for changes
+/// Finds a scene by name or path and changes it; reads no image and no rays. Throws usage_error.
+Scene changed_scene(const std::string& scene_name_or_path, const SceneChanges& changes);
+
+/// Changes a scene and makes it ready. Throws usage_error for the scene and for changes
 /// that contradict it, input_error for images and ray files, Error(kResource) when it would not fit into memory.
 Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes);
 

@@ -22,10 +22,12 @@ struct Leaf {
   std::unique_ptr<Command> command;
 };
 
+/// `found` empty: the verb is missing.
 [[noreturn]] void refuse_unknown_verb(const CLI::App& app, const std::string& found) {
   std::vector<std::string> names;
   for (const CLI::App* verb : app.get_subcommands({})) names.push_back(verb->get_name());
   const std::vector<std::string_view> views(names.begin(), names.end());
+  if (found.empty()) throw usage_error("No verb is given; accepted are " + joined(views) + ".");
   const std::string near = did_you_mean(found, views);
   throw usage_error("There is no verb `" + printable(found) + "`; accepted are " + joined(views) +
                     (near.empty() ? "." : near));
@@ -60,6 +62,7 @@ void check_verb(CLI::App& program, int count, const char* const* arguments) {
     if (!next) refuse_unknown_verb(*app, word);
     app = next;
   }
+  if (!app->get_subcommands({}).empty()) refuse_unknown_verb(*app, "");
 }
 
 CLI::App* app_of(CLI::App& program, const Verb& verb, std::map<std::string, CLI::App*>& groups) {
@@ -106,13 +109,16 @@ int run_command_line(int count, const char* const* arguments) {
   } catch (const CLI::Success& success) {  // --help, --version
     return program.exit(success, std::cout, std::cerr);
   } catch (const CLI::ParseError& error) {
-    for (const Leaf& leaf : leaves) {  // a misspelt option often shows as something else that is missing
-      for (const std::string& extra : leaf.app->remaining()) {
-        if (extra.starts_with("-")) refuse_extra(*leaf.app, leaf.app->get_name(), extra);
+    std::string where;
+    for (size_t k = 0; k < leaves.size(); ++k) {
+      if (!leaves[k].app->parsed()) continue;
+      where = "cuesta " + std::string(verbs()[k].name);
+      // A misspelt option often shows as something else that is missing.
+      for (const std::string& extra : leaves[k].app->remaining()) {
+        if (extra.starts_with("-")) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extra);
       }
     }
-    throw usage_error(std::string(error.what()) +
-                      (error.get_name() == "RequiredError" ? "; see --help." : "."));
+    throw usage_error("`" + where + "`: " + error.what() + "; `" + where + " --help` says what is accepted.");
   }
   for (size_t k = 0; k < leaves.size(); ++k) {
     if (!leaves[k].app->parsed()) continue;
@@ -120,7 +126,7 @@ int run_command_line(int count, const char* const* arguments) {
     if (!extras.empty()) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extras.front());
     return static_cast<int>(leaves[k].command->run(session));
   }
-  throw usage_error("No verb is given; `cuesta --help` lists them.");
+  refuse_unknown_verb(program, "");
 }
 
 }  // namespace cuesta

@@ -40,29 +40,34 @@ class CompareCommand : public Command {
     Result result = begin_result("compare", session);
     add_inputs(machines, result);
 
-    std::optional<ResultFolder> folder;
-    std::vector<std::string> names;
-    const size_t planned = scenes_.size() * machines.size() * algorithms.size();
+    // Every scene file is read and the folder is made before the work, so that a fault shows at once.
+    const std::vector<std::string> names = scene_names(changes);
+    const std::string stem = names.size() == 1 ? names[0] : std::to_string(names.size()) + "-scenes";
+    ResultFolder folder = open_result_folder(options_, stem + "-compare");
     for (const std::string& scene : scenes_) {
-      if (folder && stop_requested()) break;
+      if (stop_requested()) break;
       const Job job = prepare_job(scene, changes);
-      if (std::find(names.begin(), names.end(), job.scene.name) != names.end()) {
-        throw usage_error("Two scenes are named " + job.scene.name + "; accepted are different names.");
-      }
-      names.push_back(job.scene.name);
-      if (!folder) {
-        const std::string stem =
-            scenes_.size() == 1 ? job.scene.name : std::to_string(scenes_.size()) + "-scenes";
-        folder.emplace(open_result_folder(options_, stem + "-compare"));
-      }
       add_inputs(job, result);
       remark_inputs(session, job, machines);
       measure_all(session, job, algorithms, machines, fidelity, result);
     }
-    return finish_result(result, planned, machines, fidelity, *folder, options_, start);
+    const size_t planned = scenes_.size() * machines.size() * algorithms.size();
+    return finish_result(result, planned, machines, fidelity, folder, options_, start);
   }
 
  private:
+  std::vector<std::string> scene_names(const SceneChanges& changes) const {
+    std::vector<std::string> names;
+    for (const std::string& scene : scenes_) {
+      const std::string name = changed_scene(scene, changes).name;
+      if (std::find(names.begin(), names.end(), name) != names.end()) {
+        throw usage_error("Two scenes are named " + name + "; accepted are different names.");
+      }
+      names.push_back(name);
+    }
+    return names;
+  }
+
   static void measure_all(const Session& session, const Job& job, const std::vector<Algorithm>& algorithms,
                           const std::vector<ResolvedArchitecture>& machines, Fidelity fidelity,
                           Result& result) {

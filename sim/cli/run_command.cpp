@@ -31,9 +31,11 @@ class RunCommand : public Command {
           "`cuesta run` takes one algorithm and one architecture; `cuesta compare` takes several.");
     }
     const std::string scene = scene_or_default(scene_, options_);
+    const SceneChanges changes = scene_changes(options_);
     Result result = begin_result("run", session);
-    const Job job = prepare_job(scene, scene_changes(options_));
-    ResultFolder folder = open_result_folder(options_, job.scene.name + "-" + std::string(algorithms[0].id));
+    ResultFolder folder = open_result_folder(
+        options_, changed_scene(scene, changes).name + "-" + std::string(algorithms[0].id));
+    const Job job = prepare_job(scene, changes);
     add_inputs(job, result);
     add_inputs(machines, result);
     remark_inputs(session, job, machines);
