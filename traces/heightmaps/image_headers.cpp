@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace cuesta {
@@ -31,8 +30,12 @@ std::string too_short(uint64_t needed, uint64_t found) {
 }
 
 std::vector<uint8_t> read_file(const std::string& path) {
+  std::error_code fault;
+  std::vector<uint8_t> bytes(std::filesystem::file_size(path, fault));
   std::ifstream file(path, std::ios::binary);
-  return std::vector<uint8_t>((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<size_t>(file.gcount()));
+  return bytes;
 }
 
 /// CRC-32 as PNG uses it (ISO 3309, reflected).
