@@ -62,7 +62,7 @@ function(cuesta_benchmark name)
   cuesta_no_leftovers(cuesta_benchmark ${name})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} benchmark::benchmark_main benchmark::benchmark cuesta_warnings)
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} benchmark::benchmark cuesta_warnings)
 endfunction()
 
 macro(cuesta_no_leftovers function name)
