@@ -8,12 +8,14 @@
 #include "models/common/error.h"
 #include "models/common/strict_toml.h"
 #include "models/common/words.h"
+#include "models/heightmap/generator.h"
 #include "traces/ray_trace.h"
 
 namespace cuesta {
 namespace {
 
 constexpr int kMostTiles = 1024;
+constexpr int kLongestMapSide = 16384;
 
 std::string resolved(const std::string& folder, const std::string& path) {
   const std::filesystem::path given(path);
@@ -37,7 +39,7 @@ void read_image(const TomlTable& table, const std::string& folder, HeightSource&
   }
   static constexpr Named<bool> kValues[] = {{"height", false}, {"depth", true}};
   image.invert = table.choice("values", kValues, false);
-  image.bits = static_cast<int>(table.integer("bits", {0, 16}, 0));
+  image.bits = static_cast<int>(table.integer("bits", {1, 16}, 0));
   static constexpr Named<Normalisation> kNormalisations[] = {{"auto", Normalisation::kAuto},
                                                              {"none", Normalisation::kNone},
                                                              {"min_max", Normalisation::kMinMax},
@@ -59,8 +61,14 @@ void read_image(const TomlTable& table, const std::string& folder, HeightSource&
 }
 
 void read_generated(const TomlTable& table, GeneratedHeights& generated) {
-  generated.kind = table.text("kind");
-  generated.size = static_cast<int>(table.integer("size", {0, 16384}, 0));
+  std::vector<std::string_view> kinds;
+  for (const MapKind& kind : map_kinds()) kinds.push_back(kind.name);
+  generated.kind = kinds[table.choice("kind", kinds)];
+  for (std::string_view key : {"width", "height"}) refuse_together(table, key, "size");
+  const int size = static_cast<int>(table.integer("size", {1, kLongestMapSide}, 0));
+  generated.width = static_cast<int>(table.integer("width", {1, kLongestMapSide}, size));
+  generated.height = static_cast<int>(table.integer("height", {1, kLongestMapSide}, size));
+  generated.bits = static_cast<int>(table.integer("bits", {1, 16}, 0));
   generated.seed = static_cast<uint64_t>(table.integer("seed", {0, INT64_MAX}, 1));
 }
 

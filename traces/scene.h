@@ -8,10 +8,11 @@
 
 namespace cuesta {
 
-/// Heights of the deterministic generator.
+/// Arguments of `generate`; see models/heightmap/generator.h.
 struct GeneratedHeights {
-  std::string kind;  ///< empty: the heights come from an image
-  int size = 0;      ///< texels on a side; 0: the kind's own
+  std::string kind;           ///< empty: the heights come from an image
+  int width = 0, height = 0;  ///< texels; 0: the kind's own
+  int bits = 0;               ///< 0: the kind's own
   uint64_t seed = 1;
 };
 

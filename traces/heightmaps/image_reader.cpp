@@ -175,7 +175,8 @@ class Quantiser {
     if (value >= range_.high && range_.high > range_.low) {
       height = full_scale_;
     } else if (value > range_.low) {
-      height = static_cast<uint32_t>((value - range_.low) / (range_.high - range_.low) * full_scale_ + 0.5);
+      double share = (value - range_.low) / (range_.high - range_.low);
+      height = static_cast<uint32_t>(2 * share * full_scale_ + 1) / 2;  // halves up
     }
     return static_cast<uint16_t>(invert_ ? full_scale_ - height : height);
   }

@@ -9,7 +9,7 @@ namespace cuesta {
 
 /// How the numbers in a file become heights of 0 to full scale.
 enum class Normalisation {
-  kAuto,  ///< unsigned integers: kNone; signed: kMinMax; floats: 0 to 1 if all lie inside, else kMinMax
+  kAuto,    ///< unsigned integers: kNone; signed: kMinMax; floats: 0 to 1 if all lie inside, else kMinMax
   kNone,    ///< integers: 0 to the type's largest number; half, float, double: 0 to 1, an error outside
   kMinMax,  ///< the smallest number in the channel to the largest; a flat channel becomes all zero
   kRange,  ///< `low` to `high` in the file's own units; what lies outside is clamped and counted in the notes

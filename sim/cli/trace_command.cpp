@@ -1,0 +1,50 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+
+#include "sim/cli/output_file.h"
+#include "sim/cli/verbs.h"
+#include "traces/front_end.h"
+#include "traces/ray_files.h"
+#include "traces/scene_heights.h"
+#include "traces/scene_library.h"
+
+namespace cuesta {
+namespace {
+
+class TraceCommand : public Command {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("scene", scene_, "Scene file, or the name of a built-in scene")->required();
+    app.add_option("-o,--output", output_, "File to write: text if its name ends in .csv, else .rays")
+        ->required();
+    app.add_option("--crop", crop_, "Only the pixels x,y,width,height; ids stay those of the whole frame");
+    app.add_flag("--force", force_, "Replace a file of that name");
+  }
+
+  ExitCode run(const Session& session) override {
+    refuse_existing(output_, force_);
+    std::optional<Crop> crop;
+    if (!crop_.empty()) crop = parse_crop(crop_);
+    const Scene scene = find_scene(scene_);
+    const HeightGrid grid = heights_of(scene).grid;
+    const RayTrace trace = make_rays(scene, grid.width, grid.height, crop);
+    write_ray_file(output_, trace);
+    if (!session.quiet) {
+      std::fprintf(stderr, "%s: %zu rays for a frame of %d x %d pixels, %ju bytes.\n", output_.c_str(),
+                   trace.rays.size(), trace.width, trace.height,
+                   static_cast<uintmax_t>(std::filesystem::file_size(output_)));
+    }
+    return ExitCode::kOk;
+  }
+
+ private:
+  std::string scene_, output_, crop_;
+  bool force_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_trace_command() { return make_command<TraceCommand>(); }
+
+}  // namespace cuesta
