@@ -96,7 +96,7 @@ HeightGrid generate(std::string_view name, int width, int height, int bits, uint
   double full_scale = grid.full_scale();
   for (double value : relief) {
     double share = high > low ? (value - low) / (high - low) : 1;
-    grid.texels.push_back(static_cast<uint16_t>(share * full_scale + 0.5));
+    grid.texels.push_back(static_cast<uint16_t>(static_cast<uint32_t>(2 * share * full_scale + 1) / 2));
   }
   return grid;
 }
