@@ -30,7 +30,7 @@ void write_planes_exr(const std::filesystem::path& path, const Measurements& mea
     spec.channelnames.push_back(plane.name.substr(plane.name.find('.') + 1));
     for (size_t i = 0; i < pixels; ++i) interleaved[i * static_cast<size_t>(channels) + c] = plane.values[i];
   }
-  spec.attribute("compression", "zip");
+  spec.attribute("compression", "piz");
   try {
     auto output = OIIO::ImageOutput::create(path.string());
     if (!output) throw cannot_write(path, OIIO::geterror());

@@ -26,7 +26,7 @@ std::string deflated(const std::string& raw) {
   uLongf size = compressBound(static_cast<uLong>(raw.size()));
   std::string packed(size, '\0');
   const int status = compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                               reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()), 9);
+                               reinterpret_cast<const Bytef*>(raw.data()), static_cast<uLong>(raw.size()), 4);
   if (status != Z_OK) throw Error(ExitCode::kResource, "A picture could not be compressed: memory is short.");
   packed.resize(size);
   return packed;
