@@ -118,6 +118,7 @@ int run_command_line(int count, const char* const* arguments) {
         if (extra.starts_with("-")) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extra);
       }
     }
+    if (where.empty()) refuse_unknown_verb(program, "");
     throw usage_error("`" + where + "`: " + error.what() + "; `" + where + " --help` says what is accepted.");
   }
   for (size_t k = 0; k < leaves.size(); ++k) {

@@ -1,0 +1,212 @@
+#include <nlohmann/json.hpp>
+
+#include "tests/sim/cli_fixture.h"
+
+namespace cuesta {
+namespace {
+
+using Json = nlohmann::json;
+
+TEST_F(CommandLine, WrongUsageEndsWithTwoAndTheNearestName) {
+  const struct {
+    Words words;
+    const char* part;
+  } cases[] = {
+      {{}, "No verb is given"},
+      {{"-q"}, "No verb is given"},
+      {{"rn"}, "did you mean `run`?"},
+      {{"rays"}, "accepted are info, convert, check"},
+      {{"rays", "inof"}, "did you mean `info`?"},
+      {{"verify", "rtl"}, "accepted are oracle, laws"},
+      {{"list"}, "is required"},
+      {{"list", "paramters"}, "did you mean `parameters`?"},
+      {{"run", "default", "--algoritm", "dda"}, "did you mean `--algorithm`?"},
+      {{"run", "--algoritm", "dda"}, "did you mean `--algorithm`?"},
+      {{"run", "default", "extra"}, "does not know what to do with `extra`"},
+      {{"run"}, "No scene is given"},
+      {{"run", ""}, "No scene is given"},
+      {{"run", "defalt"}, "did you mean `default`?"},
+      {{"run", "default", "--algorithm", "tevs208"}, "did you mean `tevs2008`?"},
+      {{"run", "default", "--algorithm", "dda,oh2006"}, "`cuesta compare` takes several"},
+      {{"compare", "default", "--algorithm", "dda,dda"}, "given twice"},
+      {{"compare", "default", "default"}, "Two scenes are named default"},
+      {{"compare", "default", "--arch", "tiny,tiny"}, "Two architectures are named tiny"},
+      {{"run", "default", "--fidelity", "rtl"}, "accepted are functional, cycle"},
+      {{"run", "default", "--fidelity", "cylce"}, "did you mean `cycle`?"},
+      {{"run", "default", "--host", "systemc"}, "accepted is direct"},
+      {{"run", "default", "--arch", "moblie"}, "did you mean `mobile`?"},
+      {{"run", "default", "--set", "height_l1.way=4"}, "did you mean `height_l1.ways`?"},
+      {{"run", "default", "--set", "height_l1.ways=4", "--fidelity", "functional"}, "does not use it"},
+      {{"run", "default", "--set", "traverse.contexts=2"}, "`traverse.stages` = 8"},
+      {{"run", "default", "--size", "0"}, "accepted is one number of pixels"},
+      {{"run", "default", "--size", "16x"}, "accepted is one number of pixels"},
+      {{"run", "default", "--size", "99999999999999999999"}, "accepted is one number of pixels"},
+      {{"run", "default", "--angle", "nan"}, "from 0 to 89.9"},
+      {{"run", "default", "--angle", "90"}, "from 0 to 89.9"},
+      {{"run", "default", "--depth", "inf"}, "is inf; accepted is a number from"},
+      {{"run", "default", "--angle"}, "--angle"},
+      {{"run", "default", "--crop", "0,0,9"}, "x,y,width,height"},
+      {{"run", "default", "--crop", "510,0,9,9"}, "does not lie inside the frame"},
+      {{"run", "default", "--angle", "5", "--rays", "x.rays"}, "accepted is one of the two"},
+  };
+  for (const auto& [words, part] : cases) {
+    std::string line = "cuesta";
+    for (const std::string& word : words) line += " " + word;
+    expect_refusal(cuesta(words), 2, part, line);
+  }
+  if (std::filesystem::exists(path("results"))) EXPECT_TRUE(std::filesystem::is_empty(path("results")));
+}
+
+TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
+  const Words verbs[] = {{"run"},
+                         {"compare"},
+                         {"trace"},
+                         {"rays", "info"},
+                         {"rays", "convert"},
+                         {"rays", "check"},
+                         {"heightmap", "make"},
+                         {"heightmap", "info"},
+                         {"list"},
+                         {"verify", "oracle"},
+                         {"verify", "laws"}};
+  for (Words words : verbs) {
+    words.push_back("--help");
+    const ProgramResult result = cuesta(words);
+    EXPECT_EQ(result.code, 0) << words[0];
+    EXPECT_NE(result.out.find("Example:\n  cuesta " + words[0]), std::string::npos) << result.out;
+  }
+  EXPECT_EQ(cuesta({"--help"}).code, 0);
+  EXPECT_EQ(cuesta({"--version"}).out.rfind("cuesta ", 0), 0u);
+}
+
+TEST_F(CommandLine, ListsNameWhatThereIs) {
+  const struct {
+    const char* what;
+    const char* part;
+  } cases[] = {{"algorithms", "yun2013-coherent"}, {"scenes", "default"},
+               {"architectures", "desktop"},       {"effects", "None yet"},
+               {"parameters", "dram.tRCD"},        {"statistics", "height_l1.misses"}};
+  for (const auto& [what, part] : cases) {
+    const ProgramResult result = cuesta({"list", what});
+    EXPECT_EQ(result.code, 0) << what;
+    EXPECT_NE(result.out.find(part), std::string::npos) << result.out;
+  }
+}
+
+TEST_F(CommandLine, RunLeavesAWholeResultFolder) {
+  write("small.toml", kSmallScene);
+  const ProgramResult result = cuesta({"run", "small.toml", "-q"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const std::string folder = "results/small-yun2013-001/";
+  EXPECT_NE(result.out.find("/results/small-yun2013-001/report.html"), std::string::npos) << result.out;
+  for (const char* name :
+       {"result.json", "result.csv", "manifest.json", "config.resolved.toml", "report.html"}) {
+    EXPECT_FALSE(read(folder + name).empty()) << name;
+  }
+  const Json json = Json::parse(read(folder + "result.json"));
+  EXPECT_EQ(json["runs"].size(), 1u);
+  EXPECT_EQ(json["runs"][0]["fidelity"], "cycle");
+  EXPECT_EQ(json["runs"][0]["architecture"], "mobile");
+  EXPECT_EQ(cuesta({"run", "small.toml", "-q"}).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("results/small-yun2013-002/result.json")));
+}
+
+TEST_F(CommandLine, TheResolvedConfigurationGivesTheSameDigest) {
+  write("small.toml", kSmallScene);
+  ASSERT_EQ(
+      cuesta({"run", "small.toml", "--arch", "tiny", "--set", "ray_setup.latency_cycles=30", "-o", "a"}).code,
+      0);
+  ASSERT_EQ(cuesta({"run", "small.toml", "--arch", "a/config.resolved.toml", "-o", "b"}).code, 0);
+  const Json a = Json::parse(read("a/result.json")), b = Json::parse(read("b/result.json"));
+  EXPECT_EQ(a["runs"][0]["digest"], b["runs"][0]["digest"]);
+  ASSERT_EQ(cuesta({"run", "small.toml", "--arch", "tiny", "-o", "c"}).code, 0);
+  EXPECT_NE(a["runs"][0]["digest"], Json::parse(read("c/result.json"))["runs"][0]["digest"]);
+}
+
+TEST_F(CommandLine, CompareFindsTheSameHitsWhateverTheMachineAndFidelity) {
+  write("small.toml", kSmallScene);
+  const ProgramResult timed = cuesta({"compare", "small.toml", "--arch", "tiny,desktop", "--json", "-q"});
+  const ProgramResult plain = cuesta({"compare", "small.toml", "--fidelity", "functional", "--json", "-q"});
+  ASSERT_EQ(timed.code, 0) << timed.err;
+  ASSERT_EQ(plain.code, 0) << plain.err;
+  const Json json = Json::parse(timed.out), other = Json::parse(plain.out);
+  EXPECT_EQ(json, Json::parse(read("results/small-compare-001/result.json")));
+  ASSERT_EQ(json["runs"].size(), 16u);
+  ASSERT_EQ(other["runs"].size(), 8u);
+  for (size_t k = 0; k < 8; ++k) {
+    EXPECT_EQ(json["runs"][k]["hits_digest"], json["runs"][k + 8]["hits_digest"]);
+    EXPECT_EQ(json["runs"][k]["hits_digest"], other["runs"][k]["hits_digest"]);
+    EXPECT_NE(json["runs"][k]["digest"], json["runs"][k + 8]["digest"]);
+  }
+}
+
+TEST_F(CommandLine, RaysFromAFileGiveTheDigestOfTheScene) {
+  write("small.toml", kSmallScene);
+  ASSERT_EQ(cuesta({"trace", "small.toml", "-o", "small.rays"}).code, 0);
+  ASSERT_EQ(cuesta({"run", "small.toml", "-o", "a"}).code, 0);
+  ASSERT_EQ(cuesta({"run", "small.toml", "--rays", "small.rays", "-o", "b"}).code, 0);
+  EXPECT_EQ(Json::parse(read("a/result.json"))["runs"][0]["digest"],
+            Json::parse(read("b/result.json"))["runs"][0]["digest"]);
+}
+
+TEST_F(CommandLine, HeightmapOptionTakesAnImageAndAChannel) {
+  ASSERT_EQ(cuesta({"heightmap", "make", "rocks", "-o", "own.png"}).code, 0);
+  const ProgramResult result =
+      cuesta({"run", "--heightmap", "own.png:0", "--size", "16", "--angle", "80", "-o", "a"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_EQ(Json::parse(read("a/result.json"))["runs"][0]["scene"], "own");
+  expect_refusal(cuesta({"run", "--heightmap", "own.png:B", "-q"}), 3, "own.png",
+                 "a channel that is not there");
+}
+
+TEST_F(CommandLine, AnExistingResultFolderIsNeverDamaged) {
+  write("small.toml", kSmallScene);
+  write("broken.toml", kSmallScene + "x = 1\n");
+  ASSERT_EQ(cuesta({"run", "small.toml", "-o", "out"}).code, 0);
+  const auto before = tree("out");
+  EXPECT_GE(before.size(), 6u);
+  expect_refusal(cuesta({"run", "small.toml", "-o", "out", "-q"}), 2, "exists", "without --force");
+  expect_refusal(cuesta({"run", "broken.toml", "-o", "out", "--force"}), 2, "unknown key", "broken scene");
+  expect_refusal(cuesta({"run", "small.toml", "--rays", "none.rays", "-o", "out", "--force"}), 3, "none.rays",
+                 "no rays");
+  expect_refusal(cuesta({"run", "small.toml", "--arch", "none.toml", "-o", "out", "--force"}), 2, "none.toml",
+                 "no arch");
+  EXPECT_EQ(tree("out"), before);
+  ASSERT_EQ(cuesta({"run", "small.toml", "--algorithm", "dda", "-o", "out", "--force"}).code, 0);
+  EXPECT_NE(tree("out"), before);
+
+  std::filesystem::create_directory(path("mine"));
+  write("mine/letter.txt", "dear");
+  expect_refusal(cuesta({"run", "small.toml", "-o", "mine", "--force", "-q"}), 2, "not a result folder",
+                 "other folder");
+  EXPECT_EQ(read("mine/letter.txt"), "dear");
+  for (const auto& entry : std::filesystem::directory_iterator(path(""))) {
+    EXPECT_NE(entry.path().filename().string().front(), '.') << "left behind: " << entry.path();
+  }
+}
+
+TEST_F(CommandLine, InterruptKeepsWhatIsFinishedAndSaysSo) {
+  const Interrupt interrupt{"Scene ", 400};
+  const ProgramResult result = cuesta({"compare", "default", "--size", "1024", "-o", "out"}, &interrupt);
+  EXPECT_EQ(result.code, 7) << result.err;
+  if (!std::filesystem::exists(path("out"))) return;  // stopped before the first run began
+  const Json json = Json::parse(read("out/result.json"));
+  EXPECT_LE(json["runs"].size(), 8u);
+  const Json& last = json["runs"].back();
+  EXPECT_EQ(last["partial"].get<bool>(), last["rays"]["finished"] < last["rays"]["of"]);
+  EXPECT_NE(result.err.find("of 8 runs are whole"), std::string::npos) << result.err;
+}
+
+TEST_F(CommandLine, AFrameThatNoHostHoldsIsRefusedAsAResource) {
+  expect_refusal(cuesta({"run", "default", "--size", "16384", "-q"}), 6, "GiB of memory", "2^28 rays");
+}
+
+TEST_F(CommandLine, LawsHoldOnASmallSweep) {
+  const ProgramResult result = cuesta({"verify", "laws", "--size", "8", "--scene", "default", "-q"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_NE(result.out.find("0 broken laws, 0 different hits"), std::string::npos) << result.out;
+}
+
+}  // namespace
+}  // namespace cuesta
