@@ -62,8 +62,7 @@ Pyramid make_pyramid_levels(const HeightGrid& grid) {
     width = (width + 1) / 2;
     height = (height + 1) / 2;
   }
-  pyramid.values_.reserve(first + 1);  // texels may be read two at a time
-  pyramid.values_.resize(first);
+  pyramid.values_.resize(first + 1);
   std::copy(grid.texels.begin(), grid.texels.end(), pyramid.values_.begin());
   return pyramid;
 }
@@ -82,7 +81,7 @@ Pyramid build_max_pyramid(const HeightGrid& grid) {
     }
   }
   // The root is the highest texel: one comparison finds a height that does not fit the bits.
-  uint32_t highest = pyramid.values_.back();
+  uint32_t highest = pyramid.at(pyramid.root_level(), 0, 0);
   if (highest > pyramid.full_scale()) {
     throw input_error("The height grid holds the height " + std::to_string(highest) + "; " +
                       std::to_string(grid.bits) + " bits hold at most " +

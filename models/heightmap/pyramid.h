@@ -25,7 +25,7 @@ class Pyramid {
   uint16_t at(int level, int i, int j) const {
     return values_[levels_[level].first + static_cast<size_t>(j) * levels_[level].width + i];
   }
-  size_t node_count() const { return values_.size(); }
+  size_t node_count() const { return values_.size() - 1; }
 
  private:
   struct Level {
@@ -34,7 +34,7 @@ class Pyramid {
     int height;
   };
   std::vector<Level> levels_;
-  std::vector<uint16_t> values_;
+  std::vector<uint16_t> values_;  ///< all levels, and one more: texels may be read two at a time
   int bits_ = 8;
 
   friend Pyramid make_pyramid_levels(const HeightGrid& grid);
