@@ -132,7 +132,7 @@ constexpr auto kParameters = std::to_array<Parameter>({
     number<&A::height_l1, &L1::ways>("height_l1.ways", 1, 64, kTime, "",
                                      "Lines of a set; the least recently used one is replaced.", kOurs),
     number<&A::height_l1, &L1::mshrs>(
-        "height_l1.mshrs", 1, 256, kTime, "",
+        "height_l1.mshrs", 1, 64, kTime, "",
         "Misses to different lines on their way at once; misses to one line merge.", kOurs),
 
     number<&A::hit_queue, &HitQueueParameters::depth>(
