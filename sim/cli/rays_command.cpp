@@ -23,27 +23,27 @@ using Number = unsigned long long;
 void print_summary(const std::string& path, const RaySummary& summary) {
   std::printf("%s\n", path.c_str());
   if (summary.chunks > 0 || !is_csv_name(path)) {
-    std::printf("  format      .rays, version 1, %llu chunks\n", static_cast<Number>(summary.chunks));
+    std::printf("  format        .rays, version 1, %llu chunks\n", static_cast<Number>(summary.chunks));
   } else {
-    std::printf("  format      text (CSV)\n");
+    std::printf("  format        text (CSV)\n");
   }
-  std::printf("  bytes       %llu", static_cast<Number>(summary.file_bytes));
+  std::printf("  bytes         %llu", static_cast<Number>(summary.file_bytes));
   if (summary.rays > 0) {
     std::printf(" (%.1f per ray)",
                 static_cast<double>(summary.file_bytes) / static_cast<double>(summary.rays));
   }
-  std::printf("\n  frame       %d x %d pixels, %llu of them with rays\n", summary.width, summary.height,
+  std::printf("\n  frame         %d x %d pixels, %llu of them with rays\n", summary.width, summary.height,
               static_cast<Number>(summary.pixels));
-  std::printf("  rays        %llu\n", static_cast<Number>(summary.rays));
+  std::printf("  rays          %llu\n", static_cast<Number>(summary.rays));
   for (int kind = 0; kind < 4; ++kind) {
-    std::printf("    %-10s%llu\n", std::string(name_of(static_cast<RayKind>(kind))).c_str(),
+    std::printf("    %-12s%llu\n", std::string(name_of(static_cast<RayKind>(kind))).c_str(),
                 static_cast<Number>(summary.of_kind[kind]));
   }
-  std::printf("  directions  %llu descending, %llu horizontal, %llu rising\n",
+  std::printf("  directions    %llu descending, %llu horizontal, %llu rising\n",
               static_cast<Number>(summary.descending), static_cast<Number>(summary.horizontal),
               static_cast<Number>(summary.rising));
   for (int axis = 0; summary.rays > 0 && axis < 3; ++axis) {
-    std::printf("  origin %c    %s to %s\n", "uvz"[axis], shortest_text(summary.low[axis]).c_str(),
+    std::printf("  origin %c      %s to %s\n", "uvz"[axis], shortest_text(summary.low[axis]).c_str(),
                 shortest_text(summary.high[axis]).c_str());
   }
 }
