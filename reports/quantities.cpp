@@ -49,15 +49,12 @@ constexpr std::array kRules = {
           "Bytes of the distinct lines that were touched, each fetched once per pipeline: no private L1 of this "
           "line size can fetch less."},
          [](const RunEntry& run) { return times(quantity(run, "height_l1.unique_lines"), run.machine.line_bytes); }},
-    Rule{{"height_l1.no_cache_bytes", "bytes",
-          "Bytes of all height fetches if each fetched its texel alone from DRAM: the traffic without a cache."},
-         [](const RunEntry& run) { return times(quantity(run, "height_l1.accesses"), run.machine.texel_bytes); }},
 };
 
 constexpr std::array kRatios = {
-    RatioDefinition{"steps_per_ray", "Steps per ray", "steps/ray", "traverse.steps", "machine.rays", -1,
+    RatioDefinition{"steps_per_ray", "Steps per ray", "steps/ray", "machine.steps", "machine.rays", -1,
                     "Node visits of the traversal, over all rays that entered the machine."},
-    RatioDefinition{"rays_hit", "Rays that hit", "fraction", "traverse.hits", "machine.rays", 0,
+    RatioDefinition{"rays_hit", "Rays that hit", "fraction", "machine.hits", "machine.rays", 0,
                     "Rays that ended on the surface, over all rays that entered the machine."},
     RatioDefinition{"cycles_per_ray", "Cycles per ray", "cycles/ray", "machine.cycles", "machine.rays", -1,
                     "Machine cycles from the first dispatch to the last record written, over the rays."},
@@ -73,7 +70,7 @@ constexpr std::array kRatios = {
     RatioDefinition{"dram_bytes_per_ray", "DRAM bytes per ray", "bytes/ray", "dram.bytes", "machine.rays", -1,
                     "Bytes read from and written to DRAM, over the rays."},
     RatioDefinition{"dram_read_bytes_per_step", "DRAM bytes read per step", "bytes/step", "dram.read_bytes",
-                    "traverse.steps", -1, "Bytes read from DRAM, over the traversal steps."},
+                    "machine.steps", -1, "Bytes read from DRAM, over the traversal steps."},
     RatioDefinition{"dram_bandwidth", "DRAM bandwidth", "bytes/s", "dram.bytes", "machine.seconds", 0,
                     "Bytes to and from DRAM over the simulated time at the configured clock."},
     RatioDefinition{"dram_utilisation", "DRAM peak used", "fraction", "dram.bytes", "dram.peak_bytes", 0,
@@ -84,7 +81,7 @@ constexpr std::array kRatios = {
                     "height_l1.compulsory_bytes", -1,
                     "Bytes that the L1s fetched, over those of the distinct lines touched; 1 means that no line was "
                     "fetched twice."},
-    RatioDefinition{"no_cache_factor", "Fills over no cache", "", "height_l1.fill_bytes", "height_l1.no_cache_bytes",
+    RatioDefinition{"no_cache_factor", "Fills over no cache", "", "height_l1.fill_bytes", "machine.texel_bytes",
                     -1,
                     "Bytes that the L1s fetched, over the traffic without a cache; above 1 the lines brought in more "
                     "than was used."},

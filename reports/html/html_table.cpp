@@ -34,7 +34,7 @@ constexpr Column kColumns[] = {
     {"L1", "refetch_factor", "fills / compulsory", -1, false},
     {"Memory", "dram.bytes", "DRAM bytes", -1, true},
     {"Memory", "dram_bytes_per_ray", "bytes / ray", -1, false},
-    {"Memory", "height_l1.no_cache_bytes", "bytes without cache", -1, false},
+    {"Memory", "machine.texel_bytes", "bytes without cache", -1, false},
     {"Memory", "dram_utilisation", "peak used", 0, false},
 };
 

@@ -94,7 +94,7 @@ std::string peak_plot(const Result& result, const RunGroup& group, ShownNames& s
 std::string ends_plot(const Result& result, const RunGroup& group, ShownNames& shown) {
   static const Part kParts[] = {{"height_l1.compulsory_bytes", "compulsory", "f0-3"},
                                 {"height_l1.fill_bytes", "fetched by the L1s", "work"},
-                                {"height_l1.no_cache_bytes", "without a cache", "rest"}};
+                                {"machine.texel_bytes", "without a cache", "rest"}};
   double least = 0, most = 0;
   for (size_t index : group.runs) {
     for (const Part& part : kParts) {
@@ -109,7 +109,7 @@ std::string ends_plot(const Result& result, const RunGroup& group, ShownNames& s
   plot.remark = "Logarithmic, from " + readable(std::pow(10, std::floor(std::log10(least))), "bytes") + "; a bar ends at " +
                 defined("height_l1.compulsory_bytes", "compulsory", shown) + ", " +
                 defined("height_l1.fill_bytes", "fetched", shown) + " or " +
-                defined("height_l1.no_cache_bytes", "no cache", shown) + ", whichever comes next";
+                defined("machine.texel_bytes", "no cache", shown) + ", whichever comes next";
   plot.logarithmic = true;
   plot.log_start = std::pow(10, std::floor(std::log10(least)));
   plot.full = most;
