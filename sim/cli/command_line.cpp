@@ -8,6 +8,7 @@
 
 #include "models/common/build_info.h"
 #include "models/common/words.h"
+#include "sim/cli/standard_output.h"
 #include "sim/cli/verbs.h"
 
 namespace cuesta {
@@ -54,6 +55,7 @@ void check_verb(CLI::App& program, int count, const char* const* arguments) {
   CLI::App* app = &program;
   for (int k = 1; k < count && !app->get_subcommands({}).empty(); ++k) {
     const std::string word = arguments[k];
+    if (word == "-q" || word == "--quiet") continue;
     if (word.starts_with("-")) return;
     CLI::App* next = nullptr;
     for (CLI::App* verb : app->get_subcommands({})) {
@@ -90,6 +92,7 @@ int run_command_line(int count, const char* const* arguments) {
   program.footer(std::string("`cuesta VERB --help` says more, with an example.\n") + kExitCodes);
 
   Session session;
+  program.add_flag("-q,--quiet", session.quiet, "No progress and no remarks; also after the verb");
   session.command_line = "cuesta";
   for (int k = 1; k < count; ++k) session.command_line += std::string(" ") + arguments[k];
   std::vector<Leaf> leaves;
@@ -125,7 +128,9 @@ int run_command_line(int count, const char* const* arguments) {
     if (!leaves[k].app->parsed()) continue;
     const std::vector<std::string> extras = leaves[k].app->remaining();
     if (!extras.empty()) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extras.front());
-    return static_cast<int>(leaves[k].command->run(session));
+    const ExitCode code = leaves[k].command->run(session);
+    flush_standard_output();
+    return static_cast<int>(code);
   }
   refuse_unknown_verb(program, "");
 }

@@ -13,6 +13,7 @@
 #include "reports/result_json.h"
 #include "reports/table.h"
 #include "reports/write_result.h"
+#include "sim/cli/standard_output.h"
 
 namespace cuesta {
 namespace {
@@ -53,12 +54,6 @@ void write_configurations(const std::vector<ResolvedArchitecture>& machines, Fid
   for (const ResolvedArchitecture& machine : machines) {
     folder.write("config.resolved." + fit_for_a_file(machine.architecture.name) + ".toml",
                  machine.toml(with_time));
-  }
-}
-
-void print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw Error(ExitCode::kResource, "Standard output cannot be written.");
   }
 }
 
@@ -148,9 +143,10 @@ ExitCode finish_result(Result& result, size_t planned, const std::vector<Resolve
   write_planes(result, folder);
   folder.commit();
 
-  print(options.json ? result_json(result) : print_table(result));
+  std::fputs((options.json ? result_json(result) : print_table(result)).c_str(), stdout);
   const fs::path report = folder.final_path() / "report.html";
   std::fprintf(options.json ? stderr : stdout, "Report: %s\n", report.c_str());
+  flush_standard_output();
   if (whole == planned) return ExitCode::kOk;
   std::fprintf(stderr, "cuesta: stopped; %zu of %zu runs are whole, the rest is partial or missing.\n", whole,
                planned);

@@ -14,6 +14,7 @@ TEST_F(CommandLine, WrongUsageEndsWithTwoAndTheNearestName) {
   } cases[] = {
       {{}, "No verb is given"},
       {{"-q"}, "No verb is given"},
+      {{"-q", "rn"}, "did you mean `run`?"},
       {{"rn"}, "did you mean `run`?"},
       {{"rays"}, "accepted are info, convert, check"},
       {{"rays", "inof"}, "did you mean `info`?"},
@@ -200,6 +201,13 @@ TEST_F(CommandLine, InterruptKeepsWhatIsFinishedAndSaysSo) {
 
 TEST_F(CommandLine, AFrameThatNoHostHoldsIsRefusedAsAResource) {
   expect_refusal(cuesta({"run", "default", "--size", "16384", "-q"}), 6, "GiB of memory", "2^28 rays");
+}
+
+TEST_F(CommandLine, OutputThatIsLostIsAnErrorAndAReaderThatLeavesIsNone) {
+  const std::string list = std::string(CUESTA_PROGRAM) + " list parameters";
+  EXPECT_EQ(run_program("/bin/sh", {"-c", list + " > /dev/full"}, path("")).code, 6);
+  const std::string left = "{ sleep 1; " + list + "; echo $? >&2; } | true";
+  EXPECT_EQ(run_program("/bin/sh", {"-c", left}, path("")).err, "0\n");
 }
 
 TEST_F(CommandLine, LawsHoldOnASmallSweep) {
