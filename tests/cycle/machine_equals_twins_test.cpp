@@ -25,16 +25,18 @@ int64_t rays_to_compare(int64_t fallback, int64_t tests) {
 /// Compares random machines from `first_seed` on until `rays` rays have been compared.
 void compare_from(uint64_t first_seed, int64_t rays) {
   const auto begin = std::chrono::steady_clock::now();
-  int64_t compared = 0, machines = 0;
+  int64_t compared = 0, stalled = 0, machines = 0;
   for (uint64_t seed = first_seed; compared < rays; ++seed) {
     const RandomMachine machine = random_machine(seed, kMostRays);
     const std::string found = difference(machine);
     if (!found.empty()) FAIL() << found;
     compared += static_cast<int64_t>(machine.rays.size());
+    if (machine.stalled) stalled += static_cast<int64_t>(machine.rays.size());
     ++machines;
   }
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  std::cout << compared << " rays on " << machines << " machines, no difference, " << time.count() << " s\n";
+  std::cout << compared << " rays (" << stalled << " under random stalls) on " << machines
+            << " machines, no difference, " << time.count() << " s\n";
 }
 
 constexpr int64_t kTests = 4;

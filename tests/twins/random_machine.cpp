@@ -43,7 +43,7 @@ Architecture random_architecture(Random& random) {
   a.height_l1.ways = random.chance(0.4) ? 1 : static_cast<int>(random.between(1, 6));
   const int sets = power(random, 0, 4);
   a.height_l1.size_bytes = a.height_l1.line_bytes * a.height_l1.ways * sets;
-  a.height_l1.mshrs = skewed(random, 1, 20);
+  a.height_l1.mshrs = random.chance(0.05) ? 64 : skewed(random, 1, 20);
   a.hit_queue.depth = skewed(random, 1, 12);
   a.result_writer.burst_bytes = power(random, 5, 8);
   a.result_writer.outstanding = skewed(random, 1, 8);
