@@ -67,7 +67,7 @@ HeatScale make_heat_scale(const Result& result, std::string_view plane_name) {
     highest_high = std::max(highest_high, high);
   }
   if (const StatisticDefinition* definition = find_statistic(plane_name)) scale.unit = definition->unit;
-  scale.logarithmic = scale.maximum > 16 && 10 * std::max<int64_t>(lowest_high, 1) <= scale.maximum;
+  scale.logarithmic = scale.maximum > 16 && 3 * std::max<int64_t>(lowest_high, 1) <= scale.maximum;
   const double top = static_cast<double>(std::max<int64_t>(scale.maximum, 1));
   const size_t bins = scale.logarithmic ? kMostBins : std::min<size_t>(kMostBins, static_cast<size_t>(top) + 1);
   for (size_t k = 0; k < bins; ++k) {
