@@ -122,7 +122,7 @@ RandomMachine random_machine(uint64_t seed, int most_rays) {
 
   machine.width = static_cast<int>(random.between(1, 20));
   machine.height = static_cast<int>(random.between(1, 20));
-  const auto pixels = static_cast<uint64_t>(machine.width * machine.height);
+  const auto pixels = static_cast<uint64_t>(machine.width) * static_cast<uint64_t>(machine.height);
   const bool pixel_by_pixel = random.chance(0.5), bundled = random.chance(0.5);
   const int64_t most = random.chance(0.03) ? 12 * most_rays : most_rays;
   const int64_t count = random.chance(0.02) ? 0 : random.between(1, most);
