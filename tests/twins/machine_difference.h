@@ -20,7 +20,7 @@ struct TwinRun {
 TwinRun run_ticking(const RandomMachine& machine, std::vector<int> evaluation_order = {});
 
 /// Runs both machines: the first difference as a text that names seed, configuration, ray and both values; empty
-/// when there is none. Compares hits, per-ray times, slots and memory costs, every counter, plane and histogram.
+/// when there is none. Compares hits, per-ray times, slots and memory costs, every counter and plane.
 std::string difference(const RandomMachine& machine);
 
 }  // namespace cuesta::twins
