@@ -2,6 +2,7 @@
 
 #include "models/common/digest.h"
 #include "models/common/error.h"
+#include "sim/outcome.h"
 
 namespace cuesta {
 namespace {
@@ -31,15 +32,7 @@ std::string_view name_of(Fidelity fidelity) {
 
 std::string Measurer::steps_free_digest(const std::vector<HitRecord>& hits) {
   Digest digest;
-  for (const HitRecord& hit : hits) {
-    digest.u64(hit.ray_id);
-    digest.u8(static_cast<uint8_t>(hit.status));
-    digest.u8(static_cast<uint8_t>(hit.face));
-    digest.u8(hit.stop_level);
-    digest.u32(static_cast<uint32_t>(hit.i));
-    digest.u32(static_cast<uint32_t>(hit.j));
-    digest.i64(hit.t);
-  }
+  for (const HitRecord& hit : hits) add_answer(digest, hit);
   return digest.hex();
 }
 

@@ -90,28 +90,29 @@ void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
   measurements.planes.back().adds_up = false;
 }
 
+void add_answer(Digest& digest, const HitRecord& hit) {
+  digest.u64(hit.ray_id);
+  digest.u8(static_cast<uint8_t>(hit.status));
+  digest.u8(static_cast<uint8_t>(hit.face));
+  digest.u8(hit.stop_level);
+  digest.u32(static_cast<uint32_t>(hit.i));
+  digest.u32(static_cast<uint32_t>(hit.j));
+  digest.i64(hit.t);
+}
+
 void seal(const Workload& work, bool finished, Outcome& outcome) {
-  auto add_hits = [&](Digest& digest) {
-    digest.u64(work.rays.size());
-    for (const MachineRay& ray : work.rays) {
-      for (int64_t value : {ray.x0, ray.y0, ray.z0, ray.dx, ray.dy, ray.dz, ray.t_max}) digest.i64(value);
-      digest.u64(ray.id);
-      digest.u32(static_cast<uint32_t>(ray.exponent));
-      digest.u8(ray.dead ? 1 : 0);
-    }
-    for (const HitRecord& hit : outcome.hits) {
-      digest.u64(hit.ray_id);
-      digest.u8(static_cast<uint8_t>(hit.status));
-      digest.u8(static_cast<uint8_t>(hit.face));
-      digest.u8(hit.stop_level);
-      digest.u32(static_cast<uint32_t>(hit.i));
-      digest.u32(static_cast<uint32_t>(hit.j));
-      digest.i64(hit.t);
-      digest.u32(hit.steps);
-    }
-  };
   Digest hits;
-  add_hits(hits);
+  hits.u64(work.rays.size());
+  for (const MachineRay& ray : work.rays) {
+    for (int64_t value : {ray.x0, ray.y0, ray.z0, ray.dx, ray.dy, ray.dz, ray.t_max}) hits.i64(value);
+    hits.u64(ray.id);
+    hits.u32(static_cast<uint32_t>(ray.exponent));
+    hits.u8(ray.dead ? 1 : 0);
+  }
+  for (const HitRecord& hit : outcome.hits) {
+    add_answer(hits, hit);
+    hits.u32(hit.steps);
+  }
   outcome.hits_digest = hits.hex();
   if (!finished) return;
   Digest all;

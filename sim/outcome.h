@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "models/common/digest.h"
 #include "models/memory/memory_port.h"
 #include "models/traversal/traverse_unit.h"
 #include "sim/machine.h"
@@ -18,6 +19,9 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
 void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
                           std::span<const RayTiming> timing, std::span<const MemoryCost> memory,
                           int64_t traverse_cycles, Measurements& measurements);
+
+/// A hit record but its steps: what every exact schedule must agree on.
+void add_answer(Digest& digest, const HitRecord& hit);
 
 /// Sets the digests; `finished` false: partial, no `digest`.
 void seal(const Workload& work, bool finished, Outcome& outcome);
