@@ -16,14 +16,18 @@ std::optional<double> number(const RunEntry& run, std::string_view name) {
 }
 
 std::string about_one_run(const Result& result, const RunEntry& run) {
-  std::string text = fmt::format("{} traced {} rays", label_of(result, run), grouped(static_cast<int64_t>(run.finished_rays)));
+  std::string text = fmt::format("{} traced {} rays", label_of(result, run),
+                                 grouped(static_cast<int64_t>(run.finished_rays)));
   if (run.partial()) text += fmt::format(" of {} (partial)", grouped(static_cast<int64_t>(run.all_rays)));
   text += " on " + run.scene;
-  if (const auto cycles = quantity(run, "machine.cycles")) text += " in " + grouped(static_cast<int64_t>(*cycles)) + " cycles";
+  if (const auto cycles = quantity(run, "machine.cycles"))
+    text += " in " + grouped(static_cast<int64_t>(*cycles)) + " cycles";
   std::vector<std::string> parts;
   if (const auto steps = ratio(run, "steps_per_ray")) parts.push_back(significant(*steps) + " steps per ray");
-  if (const auto cycles = ratio(run, "cycles_per_ray")) parts.push_back(significant(*cycles) + " cycles per ray");
-  if (const auto hits = ratio(run, "l1_hit_rate")) parts.push_back("L1 hit rate " + readable(*hits, "fraction"));
+  if (const auto cycles = ratio(run, "cycles_per_ray"))
+    parts.push_back(significant(*cycles) + " cycles per ray");
+  if (const auto hits = ratio(run, "l1_hit_rate"))
+    parts.push_back("L1 hit rate " + readable(*hits, "fraction"));
   for (size_t k = 0; k < parts.size(); ++k) text += (k == 0 ? ": " : ", ") + parts[k];
   return text + ".";
 }
@@ -49,25 +53,61 @@ Best fewest(const Result& result, const RunGroup& group, std::string_view name) 
   return best;
 }
 
-std::string about_scene(const Result& result, const RunGroup& group) {
-  const bool timed = fewest(result, group, "machine.cycles").compared == fewest(result, group, "steps_per_ray").compared;
-  const std::string_view name = timed ? "machine.cycles" : "steps_per_ray";
-  const Best best = fewest(result, group, name);
-  if (best.run == nullptr) return fmt::format("No run on {} is complete.", group.scene);
+bool timed(const Result& result, const RunGroup& group) {
+  return fewest(result, group, "machine.cycles").compared == fewest(result, group, "steps_per_ray").compared;
+}
+
+/// "1,262,580 cycles, 23.1 % fewer than oh2006 (14.9 % fewer steps)"
+std::string figures(const Result& result, const RunGroup& group, const Best& best, bool with_time) {
+  const std::string_view name = with_time ? "machine.cycles" : "steps_per_ray";
   const double value = *number(*best.run, name);
-  const std::string what = timed ? grouped(static_cast<int64_t>(value)) + " cycles" : significant(value) + " steps per ray";
-  std::string text = fmt::format("{} needed the fewest {} on {}: {}", label_of(result, *best.run),
-                                 timed ? "cycles" : "steps", group.scene, what);
+  std::string text =
+      with_time ? grouped(static_cast<int64_t>(value)) + " cycles" : significant(value) + " steps per ray";
   const RunEntry* baseline = baseline_of(result, *best.run);
   const auto change = against_baseline(result, *best.run, name);
-  if (baseline != nullptr && change) {
-    text += fmt::format(", {} % fewer than {}", significant(-*change * 100), label_of(result, *baseline));
+  if (change) {
+    const std::string other = label_of(result, *baseline);
+    text += fmt::format(", {} % {} than {}", significant(std::abs(*change) * 100),
+                        *change <= 0 ? "fewer" : "more", other);
     const auto steps = against_baseline(result, *best.run, "steps_per_ray");
-    if (timed && steps) text += fmt::format(", with {} % {} steps", significant(std::abs(*steps) * 100), *steps < 0 ? "fewer" : "more");
-  } else if (baseline == best.run) {
+    if (with_time && steps) {
+      text += fmt::format(" ({} % {} steps)", significant(std::abs(*steps) * 100),
+                          *steps <= 0 ? "fewer" : "more");
+    }
+  } else if (group.runs.size() > 1) {
     text += fmt::format(", the fewest of {}", best.compared);
   }
-  return text + ".";
+  return text;
+}
+
+/// One sentence for neighbouring scenes with the same winner.
+std::string about_scenes(const Result& result, const std::vector<RunGroup>& groups) {
+  std::string text, winner;
+  for (const RunGroup& group : groups) {
+    if (group.runs.size() == 1) {
+      text += (text.empty() ? "" : ". ") + about_one_run(result, result.runs[group.runs.front()]);
+      text.pop_back();  // its full stop: the loop sets them
+      winner.clear();
+      continue;
+    }
+    const bool with_time = timed(result, group);
+    const Best best = fewest(result, group, with_time ? "machine.cycles" : "steps_per_ray");
+    if (best.run == nullptr) {
+      text += (text.empty() ? "" : ". ") + fmt::format("No run on {} is complete", group.scene);
+      winner.clear();
+      continue;
+    }
+    const std::string label = label_of(result, *best.run);
+    if (label == winner) {
+      text += fmt::format("; on {}: ", group.scene);
+    } else {
+      text += (text.empty() ? "" : ". ") + fmt::format("{} needed the fewest {} on {}: ", label,
+                                                       with_time ? "cycles" : "steps", group.scene);
+    }
+    text += figures(result, group, best, with_time);
+    winner = label;
+  }
+  return text.empty() ? "Nothing ran." : text + ".";
 }
 
 }  // namespace
@@ -82,22 +122,17 @@ std::optional<double> against_baseline(const Result& result, const RunEntry& run
 }
 
 std::string headline(const Result& result) {
-  std::string text;
-  std::vector<std::string> unfinished;
-  for (const RunGroup& group : group_by_scene(result)) {
-    if (!text.empty()) text += " ";
-    text += group.runs.size() == 1 ? about_one_run(result, result.runs[group.runs.front()]) : about_scene(result, group);
-    if (group.runs.size() == 1) continue;
+  const std::vector<RunGroup> groups = group_by_scene(result);
+  std::string text = about_scenes(result, groups);
+  for (const RunGroup& group : groups) {
     for (size_t index : group.runs) {
       const RunEntry& run = result.runs[index];
-      if (run.partial()) {
-        unfinished.push_back(fmt::format("{} is partial ({} of {} rays) and not compared.", label_of(result, run),
-                                         grouped(static_cast<int64_t>(run.finished_rays)),
-                                         grouped(static_cast<int64_t>(run.all_rays))));
-      }
+      if (!run.partial() || group.runs.size() == 1) continue;
+      text += fmt::format(" {} on {} is partial ({} of {} rays) and not compared.", label_of(result, run),
+                          run.scene, grouped(static_cast<int64_t>(run.finished_rays)),
+                          grouped(static_cast<int64_t>(run.all_rays)));
     }
   }
-  for (const std::string& sentence : unfinished) text += " " + sentence;
   return text;
 }
 

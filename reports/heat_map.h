@@ -14,9 +14,9 @@ namespace cuesta {
 /// Bin k holds first[k] to first[k + 1] - 1, the last one what is above; at most 254 bins (two palette entries
 /// are left for text and paper).
 struct HeatScale {
-  std::vector<int64_t> first;     ///< first[0] = 0, rising
-  std::vector<double> position;   ///< 0 to 1, of the bin's colour
-  int64_t maximum = 0;            ///< the largest count of all runs
+  std::vector<int64_t> first;    ///< first[0] = 0, rising
+  std::vector<double> position;  ///< 0 to 1, of the bin's colour
+  int64_t maximum = 0;           ///< the largest count of all runs
   bool logarithmic = false;
   std::string unit;
 
@@ -27,9 +27,12 @@ struct HeatScale {
   double place_of(int64_t value) const;
 };
 
-/// Linear, exact where the maximum is below 254; logarithmic where one run's counts would leave another's no
-/// more than a tenth of the scale.
+/// Bins are single counts where the maximum is below 254. Colours are linear, or logarithmic where some run's
+/// 99th percentile would lie in the lowest third of the scale.
 HeatScale make_heat_scale(const Result& result, std::string_view plane_name);
+
+/// A colour per bin, no two alike, so that a count can be read back from a picture.
+std::vector<Colour> palette_of(const HeatScale& scale);
 
 /// The plane alone, one pixel each; planes wider or higher than `limit` are reduced by a whole factor (mean).
 struct PlanePicture {

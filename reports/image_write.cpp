@@ -19,7 +19,8 @@ Error cannot_write(const std::filesystem::path& path, const std::string& why) {
 
 void write_planes_exr(const std::filesystem::path& path, const Measurements& measurements) {
   const auto channels = static_cast<int>(measurements.planes.size());
-  const auto pixels = static_cast<size_t>(measurements.plane_width) * static_cast<size_t>(measurements.plane_height);
+  const auto pixels =
+      static_cast<size_t>(measurements.plane_width) * static_cast<size_t>(measurements.plane_height);
   if (channels == 0 || pixels == 0) throw cannot_write(path, "there are none");
   OIIO::ImageSpec spec(measurements.plane_width, measurements.plane_height, channels, OIIO::TypeDesc::UINT32);
   spec.channelnames.clear();

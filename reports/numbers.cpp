@@ -25,7 +25,9 @@ std::string grouped(int64_t value) { return group_digits(fmt::format("{}", value
 std::string significant(double value, int digits) {
   if (!std::isfinite(value)) return "-";
   if (value == 0) return "0";
-  const int magnitude = static_cast<int>(std::floor(std::log10(std::fabs(value))));
+  const std::string rounded =
+      fmt::format("{:.{}e}", value, digits - 1);  // 9.999 has two digits before the point
+  const int magnitude = std::stoi(rounded.substr(rounded.find('e') + 1));
   const int decimals = std::max(0, digits - 1 - magnitude);
   return group_digits(fmt::format("{:.{}f}", value, decimals));
 }
@@ -39,7 +41,8 @@ std::string with_prefix(double value, const std::string& unit, int digits) {
     ++index;
   }
   const bool whole = index == 0 && scaled == std::floor(scaled);
-  return (whole ? fmt::format("{:.0f}", scaled) : significant(scaled, digits)) + " " + kPrefixes[index] + unit;
+  return (whole ? fmt::format("{:.0f}", scaled) : significant(scaled, digits)) + " " + kPrefixes[index] +
+         unit;
 }
 
 std::string readable(double value, const std::string& unit) {
@@ -47,7 +50,8 @@ std::string readable(double value, const std::string& unit) {
   if (unit == "bytes") return with_prefix(value, "B");
   if (unit == "bytes/s") return with_prefix(value, "B/s");
   if (unit == "rays/s" || unit == "steps/s" || unit == "frames/s") return with_prefix(value, unit);
-  const bool whole = value == std::floor(value) && std::fabs(value) < 1e15 && unit.find('/') == std::string::npos;
+  const bool whole =
+      value == std::floor(value) && std::fabs(value) < 1e15 && unit.find('/') == std::string::npos;
   const std::string number = whole ? grouped(static_cast<int64_t>(value)) : significant(value, 4);
   return unit.empty() ? number : number + " " + unit;
 }

@@ -43,14 +43,13 @@ void Picture::fill_rectangle(int x, int y, int w, int h, uint8_t colour) {
 }
 
 Colour viridis(double position) {
-  static constexpr double kFit[7][3] = {
-      {0.2777273272234177, 0.005407344544966578, 0.3340998053353061},
-      {0.1050930431085774, 1.404613529898575, 1.384590162594685},
-      {-0.3308618287255563, 0.214847559468213, 0.09509516302823659},
-      {-4.634230498983486, -5.799100973351585, -19.33244095627987},
-      {6.228269936347081, 14.17993336680509, 56.69055260068105},
-      {4.776384997670288, -13.74514537774601, -65.35303263337234},
-      {-5.435455855934631, 4.645852612178535, 26.3124352495832}};
+  static constexpr double kFit[7][3] = {{0.2777273272234177, 0.005407344544966578, 0.3340998053353061},
+                                        {0.1050930431085774, 1.404613529898575, 1.384590162594685},
+                                        {-0.3308618287255563, 0.214847559468213, 0.09509516302823659},
+                                        {-4.634230498983486, -5.799100973351585, -19.33244095627987},
+                                        {6.228269936347081, 14.17993336680509, 56.69055260068105},
+                                        {4.776384997670288, -13.74514537774601, -65.35303263337234},
+                                        {-5.435455855934631, 4.645852612178535, 26.3124352495832}};
   const double t = std::clamp(position, 0.0, 1.0);
   uint8_t channel[3];
   for (int c = 0; c < 3; ++c) {
@@ -65,7 +64,8 @@ std::string encode_png(const Picture& picture) {
   std::string header;
   append_u32(header, static_cast<uint32_t>(picture.width));
   append_u32(header, static_cast<uint32_t>(picture.height));
-  header += std::string("\x08\x03\x00\x00\x00", 5);  // 8 bits, palette, deflate, no filter choice, not interlaced
+  header +=
+      std::string("\x08\x03\x00\x00\x00", 5);  // 8 bits, palette, deflate, no filter choice, not interlaced
   std::string palette;
   for (const Colour& colour : picture.palette) {
     palette += static_cast<char>(colour.r);

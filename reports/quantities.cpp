@@ -39,16 +39,21 @@ constexpr std::array kRules = {
            return reads ? Value(*reads + writes.value_or(0)) : std::nullopt;
          }},
     Rule{{"dram.peak_bytes", "bytes",
-          "Bytes that the data buses of all DRAM channels could carry in the machine's cycles: the theoretical peak."},
+          "Bytes that the data buses of all DRAM channels could carry in the machine's cycles: the "
+          "theoretical peak."},
          [](const RunEntry& run) {
            const MachineFacts& machine = run.machine;
-           return times(quantity(run, "machine.cycles"), static_cast<double>(machine.dram_peak_bytes_num) /
-                                                             static_cast<double>(machine.dram_peak_bytes_den));
+           return times(quantity(run, "machine.cycles"),
+                        static_cast<double>(machine.dram_peak_bytes_num) /
+                            static_cast<double>(machine.dram_peak_bytes_den));
          }},
     Rule{{"height_l1.compulsory_bytes", "bytes",
-          "Bytes of the distinct lines that were touched, each fetched once per pipeline: no private L1 of this "
+          "Bytes of the distinct lines that were touched, each fetched once per pipeline: no private L1 of "
+          "this "
           "line size can fetch less."},
-         [](const RunEntry& run) { return times(quantity(run, "height_l1.unique_lines"), run.machine.line_bytes); }},
+         [](const RunEntry& run) {
+           return times(quantity(run, "height_l1.unique_lines"), run.machine.line_bytes);
+         }},
 };
 
 constexpr std::array kRatios = {
@@ -60,11 +65,13 @@ constexpr std::array kRatios = {
                     "Machine cycles from the first dispatch to the last record written, over the rays."},
     RatioDefinition{"rays_per_second", "Rays per second", "rays/s", "machine.rays", "machine.seconds", 1,
                     "Rays over the simulated time at the configured clock."},
-    RatioDefinition{"frames_per_second", "Frames per second", "frames/s", "machine.clock_hz", "machine.cycles", 1,
+    RatioDefinition{"frames_per_second", "Frames per second", "frames/s", "machine.clock_hz",
+                    "machine.cycles", 1,
                     "How often all rays of this run could be traced in one second at the configured clock."},
-    RatioDefinition{"step_utilisation", "Slots that step", "fraction", "traverse.slots_step", "traverse.cycles", 1,
-                    "Pipeline cycles whose slot carried out a traversal step, over all pipeline cycles; the rest is "
-                    "in the plot of reasons."},
+    RatioDefinition{
+        "step_utilisation", "Slots that step", "fraction", "traverse.slots_step", "traverse.cycles", 0,
+        "Pipeline cycles whose slot carried out a traversal step, over all pipeline cycles; the rest is "
+        "in the plot of reasons."},
     RatioDefinition{"l1_hit_rate", "L1 hit rate", "fraction", "height_l1.hits", "height_l1.accesses", 1,
                     "Height fetches that found their line in the pipeline's L1, over all height fetches."},
     RatioDefinition{"dram_bytes_per_ray", "DRAM bytes per ray", "bytes/ray", "dram.bytes", "machine.rays", -1,
@@ -73,18 +80,20 @@ constexpr std::array kRatios = {
                     "machine.steps", -1, "Bytes read from DRAM, over the traversal steps."},
     RatioDefinition{"dram_bandwidth", "DRAM bandwidth", "bytes/s", "dram.bytes", "machine.seconds", 0,
                     "Bytes to and from DRAM over the simulated time at the configured clock."},
-    RatioDefinition{"dram_utilisation", "DRAM peak used", "fraction", "dram.bytes", "dram.peak_bytes", 0,
-                    "Bytes to and from DRAM, over the theoretical peak of the data buses in the same cycles."},
+    RatioDefinition{
+        "dram_utilisation", "DRAM peak used", "fraction", "dram.bytes", "dram.peak_bytes", 0,
+        "Bytes to and from DRAM, over the theoretical peak of the data buses in the same cycles."},
     RatioDefinition{"dram_row_hit_rate", "DRAM row hits", "fraction", "dram.row_hits", "dram.accesses", 1,
                     "DRAM accesses that found their row open, over all DRAM accesses."},
-    RatioDefinition{"refetch_factor", "Fills over compulsory", "", "height_l1.fill_bytes",
-                    "height_l1.compulsory_bytes", -1,
-                    "Bytes that the L1s fetched, over those of the distinct lines touched; 1 means that no line was "
-                    "fetched twice."},
-    RatioDefinition{"no_cache_factor", "Fills over no cache", "", "height_l1.fill_bytes", "machine.texel_bytes",
-                    -1,
-                    "Bytes that the L1s fetched, over the traffic without a cache; above 1 the lines brought in more "
-                    "than was used."},
+    RatioDefinition{
+        "refetch_factor", "Fills over compulsory", "", "height_l1.fill_bytes", "height_l1.compulsory_bytes",
+        -1,
+        "Bytes that the L1s fetched, over those of the distinct lines touched; 1 means that no line was "
+        "fetched twice."},
+    RatioDefinition{
+        "no_cache_factor", "Fills over no cache", "", "height_l1.fill_bytes", "machine.texel_bytes", -1,
+        "Bytes that the L1s fetched, over the traffic without a cache; above 1 the lines brought in more "
+        "than was used."},
 };
 
 }  // namespace
@@ -92,7 +101,8 @@ constexpr std::array kRatios = {
 std::span<const DerivedQuantity> derived_quantities() {
   static const auto table = [] {
     std::array<DerivedQuantity, kRules.size()> quantities;
-    std::transform(kRules.begin(), kRules.end(), quantities.begin(), [](const Rule& rule) { return rule.quantity; });
+    std::transform(kRules.begin(), kRules.end(), quantities.begin(),
+                   [](const Rule& rule) { return rule.quantity; });
     return quantities;
   }();
   return table;

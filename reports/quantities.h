@@ -19,12 +19,12 @@ struct DerivedQuantity {
 
 /// A quotient of two quantities.
 struct RatioDefinition {
-  std::string_view name;         ///< "steps_per_ray"
-  std::string_view heading;      ///< short, for tables and plots
-  std::string_view unit;         ///< "fraction" is shown in per cent
-  std::string_view numerator;    ///< a counter (summed over the instances of its unit) or a derived quantity
+  std::string_view name;       ///< "steps_per_ray"
+  std::string_view heading;    ///< short, for tables and plots
+  std::string_view unit;       ///< "fraction" is shown in per cent
+  std::string_view numerator;  ///< a counter (summed over the instances of its unit) or a derived quantity
   std::string_view denominator;
-  int better;                    ///< -1: less is better, +1: more is better, 0: neither
+  int better;  ///< -1: less is better, +1: more is better, 0: neither
   std::string_view sentence;
 };
 

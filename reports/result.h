@@ -24,23 +24,23 @@ struct Input {
 /// What derived quantities need of the architecture. 0 means "does not apply": nothing derived is shown.
 struct MachineFacts {
   int pipelines = 1;
-  int clock_mhz = 0;    ///< 0 where the fidelity has no time
-  int line_bytes = 0;   ///< of the height L1
-  int texel_bytes = 0;  ///< one height fetch
+  int clock_mhz = 0;                ///< 0 where the fidelity has no time
+  int line_bytes = 0;               ///< of the height L1
+  int texel_bytes = 0;              ///< one height fetch
   int64_t dram_peak_bytes_num = 0;  ///< peak bytes per machine cycle, all channels, as a fraction
   int64_t dram_peak_bytes_den = 1;
 };
 
 /// One run of one algorithm on one machine.
 struct RunEntry {
-  std::string scene;         ///< short names, as `list` and the files call them
+  std::string scene;  ///< short names, as `list` and the files call them
   std::string algorithm;
   std::string architecture;
-  std::string fidelity;      ///< "functional", "cycle"
+  std::string fidelity;  ///< "functional", "cycle"
   MachineFacts machine;
   Measurements measurements;
-  std::string hits_digest;   ///< 64 hexadecimal digits
-  std::string digest;        ///< empty when partial
+  std::string hits_digest;  ///< 64 hexadecimal digits
+  std::string digest;       ///< empty when partial
   uint64_t finished_rays = 0;
   uint64_t all_rays = 0;
 
@@ -51,19 +51,19 @@ struct RunEntry {
 struct ManifestInfo {
   using Pairs = std::vector<std::pair<std::string, std::string>>;
   std::string version;
-  std::string commit;     ///< "unknown" outside a git tree
+  std::string commit;  ///< "unknown" outside a git tree
   std::string compiler;
-  std::string flags;      ///< of the compiler
-  Pairs libraries;        ///< name, version
-  Pairs seeds;            ///< what is seeded, seed
-  Pairs environment;      ///< host, command line, times of day, wall seconds
+  std::string flags;  ///< of the compiler
+  Pairs libraries;    ///< name, version
+  Pairs seeds;        ///< what is seeded, seed
+  Pairs environment;  ///< host, command line, times of day, wall seconds
 };
 
 /// All that one command measured: the one thing that every report is made from.
 struct Result {
   std::string command = "run";  ///< "run" or "compare"
   std::vector<Input> inputs;
-  std::vector<RunEntry> runs;   ///< in the order asked for; tables and plots keep it
+  std::vector<RunEntry> runs;  ///< in the order asked for; tables and plots keep it
   ManifestInfo manifest;
 };
 

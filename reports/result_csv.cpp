@@ -17,7 +17,8 @@ std::string cell(std::string_view text) {
 }
 
 std::string names_of(const RunEntry& run) {
-  return cell(run.scene) + "," + cell(run.algorithm) + "," + cell(run.architecture) + "," + cell(run.fidelity);
+  return cell(run.scene) + "," + cell(run.algorithm) + "," + cell(run.architecture) + "," +
+         cell(run.fidelity);
 }
 
 template <typename Number>
@@ -43,7 +44,8 @@ std::string result_csv(const Result& result) {
       csv += row(run, "counter", path, value, definition_of(path).unit);
     }
     for (const DerivedQuantity& derived : derived_quantities()) {
-      if (const auto value = quantity(run, derived.name)) csv += row(run, "derived", derived.name, *value, derived.unit);
+      if (const auto value = quantity(run, derived.name))
+        csv += row(run, "derived", derived.name, *value, derived.unit);
     }
     for (const Ratio& ratio : ratios_of(run)) {
       csv += row(run, "ratio", ratio.definition->name, ratio.value, ratio.definition->unit);

@@ -40,14 +40,16 @@ void check_free(const fs::path& path, bool overwrite) {
                       "' exists; results never go over old ones unless --overwrite is given.");
   }
   if (!is_result_folder(path)) {
-    throw usage_error("'" + path.string() +
-                      "' exists and is not a result folder (a folder with result.json and manifest.json, or an empty "
-                      "one), so --overwrite does not replace it.");
+    throw usage_error(
+        "'" + path.string() +
+        "' exists and is not a result folder (a folder with result.json and manifest.json, or an empty "
+        "one), so --overwrite does not replace it.");
   }
 }
 
 fs::path make_staging(const fs::path& final_path) {
-  std::string name = (final_path.parent_path() / ("." + final_path.filename().string() + ".unfinished-XXXXXX")).string();
+  std::string name =
+      (final_path.parent_path() / ("." + final_path.filename().string() + ".unfinished-XXXXXX")).string();
   if (mkdtemp(name.data()) == nullptr) throw cannot("make a folder beside", final_path, std::strerror(errno));
   const mode_t mask = umask(0);
   umask(mask);
@@ -91,7 +93,8 @@ ResultFolder ResultFolder::create(const fs::path& path, bool overwrite) {
   fs::path final_path = fs::absolute(path, error).lexically_normal();
   if (!final_path.has_filename()) final_path = final_path.parent_path();
   if (path.empty() || error || !final_path.has_filename()) {
-    throw usage_error("'" + path.string() + "' cannot be a result folder; a name that does not exist yet is accepted.");
+    throw usage_error("'" + path.string() +
+                      "' cannot be a result folder; a name that does not exist yet is accepted.");
   }
   check_free(final_path, overwrite);
   fs::create_directories(final_path.parent_path(), error);

@@ -63,8 +63,10 @@ Json histograms_of(const Measurements& measurements) {
     for (size_t k = 0; k < histogram.first.size(); ++k) {
       if (histogram.count[k] != 0) bins.push_back({histogram.first[k], histogram.count[k]});
     }
-    object[histogram.name] = {{"unit", unit_of(histogram.name)}, {"median", histogram.median},
-                              {"p99", histogram.p99},            {"max", histogram.max},
+    object[histogram.name] = {{"unit", unit_of(histogram.name)},
+                              {"median", histogram.median},
+                              {"p99", histogram.p99},
+                              {"max", histogram.max},
                               {"bins", bins}};
   }
   return object;

@@ -15,21 +15,16 @@ namespace {
 struct Column {
   const char* name;
   const char* heading;
-  const char* unit;      ///< second line of the heading
-  const char* against;   ///< not "": the change of that number against the baseline
+  const char* unit;     ///< second line of the heading
+  const char* against;  ///< not "": the change of that number against the baseline
 };
 
 constexpr Column kColumns[] = {
-    {"steps_per_ray", "steps", "/ray", ""},
-    {"", "", "vs oh2006", "steps_per_ray"},
-    {"machine.cycles", "cycles", "", ""},
-    {"", "", "vs oh2006", "machine.cycles"},
-    {"rays_per_second", "rays", "/s", ""},
-    {"frames_per_second", "frames", "/s", ""},
-    {"step_utilisation", "slots", "stepping", ""},
-    {"l1_hit_rate", "L1", "hit rate", ""},
-    {"dram.bytes", "DRAM", "bytes", ""},
-    {"dram_bytes_per_ray", "bytes", "/ray", ""},
+    {"steps_per_ray", "steps", "/ray", ""},        {"", "", "vs oh2006", "steps_per_ray"},
+    {"machine.cycles", "cycles", "", ""},          {"", "", "vs oh2006", "machine.cycles"},
+    {"rays_per_second", "rays", "/s", ""},         {"frames_per_second", "frames", "/s", ""},
+    {"step_utilisation", "slots", "stepping", ""}, {"l1_hit_rate", "L1", "hit rate", ""},
+    {"dram.bytes", "DRAM", "bytes", ""},           {"dram_bytes_per_ray", "bytes", "/ray", ""},
     {"dram_utilisation", "DRAM", "peak used", ""},
 };
 
@@ -73,14 +68,16 @@ std::string block(const Result& result, const RunGroup& group) {
     }
     if (some) columns.push_back(cells);
   }
-  std::string text = fmt::format("{}: {} rays, {}, {}\n", first.scene, grouped(static_cast<int64_t>(first.all_rays)),
-                                 first.architecture, first.fidelity);
+  std::string text =
+      fmt::format("{}: {} rays, {}, {}\n", first.scene, grouped(static_cast<int64_t>(first.all_rays)),
+                  first.architecture, first.fidelity);
   for (size_t row = 0; row < columns[0].size(); ++row) {
     std::string line, rule;
     for (size_t c = 0; c < columns.size(); ++c) {
       size_t width = 0;
       for (const std::string& cell : columns[c]) width = std::max(width, cell.size());
-      line += c == 0 ? fmt::format("{:<{}}", columns[c][row], width) : fmt::format("  {:>{}}", columns[c][row], width);
+      line += c == 0 ? fmt::format("{:<{}}", columns[c][row], width)
+                     : fmt::format("  {:>{}}", columns[c][row], width);
       rule += c == 0 ? std::string(width, '-') : "  " + std::string(width, '-');
     }
     text += trimmed(line);

@@ -69,14 +69,18 @@ std::string counter_tables(const Result& result, ShownNames& shown) {
   }
   if (rows.empty()) return "";
   const bool scenes = group_by_scene(result).size() > 1;
-  std::string html = "<div class=\"scroll\"><table class=\"numbers\"><thead><tr><th scope=\"col\">counter, all pipelines</th>";
+  std::string html =
+      "<div class=\"scroll\"><table class=\"numbers\"><thead><tr><th scope=\"col\">counter, all "
+      "pipelines</th>";
   for (const RunEntry& run : result.runs) {
-    html += "<th scope=\"col\">" + escape(label_of(result, run)) + (scenes ? "<small>" + escape(run.scene) + "</small>" : "") + "</th>";
+    html += "<th scope=\"col\">" + escape(label_of(result, run)) +
+            (scenes ? "<small>" + escape(run.scene) + "</small>" : "") + "</th>";
   }
   html += "</tr></thead><tbody>";
   for (const auto& [name, row] : rows) {
     html += "<tr><th scope=\"row\">" + defined(name, name, shown) + "</th>";
-    for (const std::string& text : row) html += text.empty() ? "<td class=\"none\">-</td>" : "<td>" + text + "</td>";
+    for (const std::string& text : row)
+      html += text.empty() ? "<td class=\"none\">-</td>" : "<td>" + text + "</td>";
     html += "</tr>";
   }
   return html + "</tbody></table></div>";

@@ -16,7 +16,15 @@ using namespace html;
 
 std::string section(const std::string& title, const std::string& lead, const std::string& body) {
   if (body.empty()) return "";
-  return "<section><h2>" + title + "</h2>" + (lead.empty() ? "" : "<p class=\"lead\">" + lead + "</p>") + body + "</section>\n";
+  return "<section><h2>" + title + "</h2>" + (lead.empty() ? "" : "<p class=\"lead\">" + lead + "</p>") +
+         body + "</section>\n";
+}
+
+/// No line break between a number and its per cent sign.
+std::string with_firm_spaces(std::string text) {
+  for (size_t at = text.find(" %"); at != std::string::npos; at = text.find(" %", at))
+    text.replace(at, 1, "&nbsp;");
+  return text;
 }
 
 std::string facts_line(const Result& result) {
@@ -30,8 +38,8 @@ std::string facts_line(const Result& result) {
   std::string line = fmt::format("{} fidelity", varies(&RunEntry::fidelity) ? "several" : run.fidelity);
   line += varies(&RunEntry::architecture) ? ", several architectures" : ", architecture " + run.architecture;
   if (!varies(&RunEntry::architecture) && run.machine.clock_mhz > 0) {
-    line += fmt::format(" ({} pipeline{} at {} MHz)", run.machine.pipelines, run.machine.pipelines == 1 ? "" : "s",
-                        run.machine.clock_mhz);
+    line += fmt::format(" ({} pipeline{} at {} MHz)", run.machine.pipelines,
+                        run.machine.pipelines == 1 ? "" : "s", run.machine.clock_mhz);
   }
   return line;
 }
@@ -39,9 +47,10 @@ std::string facts_line(const Result& result) {
 std::string scene_sections(const Result& result, const RunGroup& group, bool several, ShownNames& shown) {
   const RunEntry& first = result.runs[group.runs.front()];
   const std::string on = several ? " on " + escape(group.scene) : "";
-  std::string html = section(several ? escape(group.scene) : "In numbers",
-                             fmt::format("{} rays, the same for every row.", grouped(static_cast<int64_t>(first.all_rays))),
-                             comparison_table(result, group, shown) + number_plots(result, group, shown));
+  std::string html =
+      section(several ? escape(group.scene) : "In numbers",
+              fmt::format("{} rays, the same for every row.", grouped(static_cast<int64_t>(first.all_rays))),
+              comparison_table(result, group, shown) + number_plots(result, group, shown));
   html += section("Where the cycles went" + on, "", utilisation_plots(result, group, shown));
   html += section("Memory traffic" + on, "", traffic_plots(result, group, shown));
   html += section("Distributions" + on, "", histogram_plots(result, group, shown));
@@ -56,11 +65,14 @@ std::string html_page(const Result& result) {
   const std::vector<RunGroup> groups = group_by_scene(result);
   std::string body = section("Over the scenes", "", scene_plots(result, shown));
   for (const RunGroup& group : groups) body += scene_sections(result, group, groups.size() > 1, shown);
-  body += section("Per pixel", "The same pixel is marked in every picture of its scene. The EXR files hold the exact counts.",
-                  heat_map_section(result, shown));
+  body +=
+      section("Per pixel",
+              "The same pixel is marked in every picture of its scene. The EXR files hold the exact counts.",
+              heat_map_section(result, shown));
   const std::string counters = counter_tables(result, shown);
   if (!counters.empty()) {
-    body += "<section><h2>Every counter</h2><details><summary>Table</summary>" + counters + "</details></section>\n";
+    body += "<section><h2>Every counter</h2><details><summary>Table</summary>" + counters +
+            "</details></section>\n";
   }
   body += section("What the words mean", "", definition_list(shown));
   body += "<section><h2>Where this comes from</h2><details><summary>Inputs, digests, versions</summary>" +
@@ -70,11 +82,13 @@ std::string html_page(const Result& result) {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
          "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
          "<meta name=\"color-scheme\" content=\"light dark\">"
-         "<link rel=\"icon\" href=\"data:,\"><title>" + escape(title) + "</title>\n<style>" +
-         std::string(kStyleSheet) + "</style></head>\n<body><main>\n<header><p class=\"headline\">" +
-         escape(headline(result)) + "</p><h1>" + escape(title) + "</h1><p class=\"facts\">" + escape(facts_line(result)) +
-         "</p></header>\n" + body + "</main><div id=\"tip\" role=\"status\" hidden></div>\n<script>" +
-         std::string(kScript) + "</script></body></html>\n";
+         "<link rel=\"icon\" href=\"data:,\"><title>" +
+         escape(title) + "</title>\n<style>" + std::string(kStyleSheet) +
+         "</style></head>\n<body><main>\n<header><p class=\"headline\">" +
+         with_firm_spaces(escape(headline(result))) + "</p><h1>" + escape(title) +
+         "</h1><p class=\"facts\">" + escape(facts_line(result)) + "</p></header>\n" + body +
+         "</main><div id=\"tip\" role=\"status\" hidden></div>\n<script>" + std::string(kScript) +
+         "</script></body></html>\n";
 }
 
 }  // namespace cuesta

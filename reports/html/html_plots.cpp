@@ -21,14 +21,16 @@ std::optional<double> number(const RunEntry& run, std::string_view name) {
   return found ? found : quantity(run, name);
 }
 
-std::string bar_tip(const Result& result, const RunEntry& run, const RatioDefinition& definition, double value) {
+std::string bar_tip(const Result& result, const RunEntry& run, const RatioDefinition& definition,
+                    double value) {
   std::string tip = label_of(result, run) + "\n" + readable(value, std::string(definition.unit));
   if (const auto parts = ratio(run, definition)) {
     tip += fmt::format("\n{} / {}\n= {} / {}", definition.numerator, definition.denominator,
                        significant(parts->numerator, 6), significant(parts->denominator, 6));
   }
   const auto change = against_baseline(result, run, definition.name);
-  if (change) tip += "\n" + signed_percent(*change) + " against " + label_of(result, *baseline_of(result, run));
+  if (change)
+    tip += "\n" + signed_percent(*change) + " against " + label_of(result, *baseline_of(result, run));
   return tip;
 }
 
@@ -47,7 +49,8 @@ std::string number_plot(const Result& result, const RunGroup& group, const Ratio
     const auto value = ratio(run, definition.name);
     if (!value) continue;
     const std::string colour = run.algorithm == "oh2006" && group.runs.size() > 1 ? "baseline" : "accent";
-    plot.bars.push_back({label_of(result, run), readable(*value, std::string(definition.unit)),
+    plot.bars.push_back({label_of(result, run),
+                         readable(*value, std::string(definition.unit)),
                          {{colour, *value, bar_tip(result, run, definition, *value), ""}},
                          group.runs.size() > 1 && best && *value == *best && !run.partial()});
   }
@@ -74,17 +77,23 @@ std::vector<int64_t> all_bins(const Result& result, const RunGroup& group, const
   return first;
 }
 
-std::string histogram_plot(const Result& result, const RunGroup& group, const std::string& name, ShownNames& shown) {
+std::string histogram_plot(const Result& result, const RunGroup& group, const std::string& name,
+                           ShownNames& shown) {
   const std::vector<int64_t> bins = all_bins(result, group, name);
   if (bins.size() < 2) return "";
   const StatisticDefinition* definition = find_statistic(name);
   const std::string unit = definition == nullptr ? "" : std::string(definition->unit);
   LinePlot plot;
-  plot.title = defined(name, name, shown);
-  plot.remark = "Share of values per bin; horizontal: " + escape(unit) + ", logarithmic";
-  plot.y_unit = "% of values";
-  const double low = std::log2(static_cast<double>(bins.front()) + 1), high = std::log2(static_cast<double>(bins.back()) + 1);
-  auto place = [&](int64_t value) { return (std::log2(static_cast<double>(value) + 1) - low) / (high - low); };
+  std::string title = name;
+  title[0] = static_cast<char>(title[0] >= 'a' && title[0] <= 'z' ? title[0] - 'a' + 'A' : title[0]);
+  plot.title = defined(name, title + " of a ray", shown);
+  plot.remark = "Share of the rays in each bin; horizontal: " + escape(unit) + ", logarithmic";
+  plot.y_unit = "% of rays";
+  const double low = std::log2(static_cast<double>(bins.front()) + 1),
+               high = std::log2(static_cast<double>(bins.back()) + 1);
+  auto place = [&](int64_t value) {
+    return (std::log2(static_cast<double>(value) + 1) - low) / (high - low);
+  };
   for (int64_t bin : bins) {
     plot.places.push_back(place(bin));
     plot.place_texts.push_back("from " + grouped(bin) + " " + unit);
@@ -115,14 +124,16 @@ std::string histogram_plot(const Result& result, const RunGroup& group, const st
         line.texts.push_back(fmt::format("{:.2f} % ({})", line.values.back(), grouped(count)));
       }
       plot.lines.push_back(line);
-      rows += fmt::format("<tr><th scope=\"row\"><i class=\"{}\"></i>{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
-                          series_class(position), escape(label_of(result, run)), grouped(histogram.median),
-                          grouped(histogram.p99), grouped(histogram.max));
+      rows += fmt::format(
+          "<tr><th scope=\"row\"><i class=\"{}\"></i>{}</th><td>{}</td><td>{}</td><td>{}</td></tr>",
+          series_class(position), escape(label_of(result, run)), grouped(histogram.median),
+          grouped(histogram.p99), grouped(histogram.max));
     }
   }
   return "<div class=\"with-table\">" + svg_line_plot(plot) +
          "<div class=\"scroll\"><table class=\"numbers\"><thead><tr><th scope=\"col\">" + escape(unit) +
-         "</th><th scope=\"col\">median</th><th scope=\"col\">99 %</th><th scope=\"col\">max</th></tr></thead><tbody>" +
+         "</th><th scope=\"col\">median</th><th scope=\"col\">p99</th><th "
+         "scope=\"col\">max</th></tr></thead><tbody>" +
          rows + "</tbody></table></div></div>";
 }
 
@@ -130,8 +141,8 @@ std::string histogram_plot(const Result& result, const RunGroup& group, const st
 
 std::string number_plots(const Result& result, const RunGroup& group, ShownNames& shown) {
   std::string plots;
-  for (const char* name : {"steps_per_ray", "cycles_per_ray", "dram_bytes_per_ray", "l1_hit_rate", "step_utilisation",
-                           "frames_per_second"}) {
+  for (const char* name : {"steps_per_ray", "cycles_per_ray", "dram_bytes_per_ray", "l1_hit_rate",
+                           "step_utilisation", "frames_per_second"}) {
     plots += number_plot(result, group, *find_ratio(name), shown);
   }
   return plots.empty() ? "" : "<div class=\"grid\">" + plots + "</div>";
@@ -140,7 +151,8 @@ std::string number_plots(const Result& result, const RunGroup& group, ShownNames
 std::string histogram_plots(const Result& result, const RunGroup& group, ShownNames& shown) {
   std::set<std::string> names;
   for (size_t index : group.runs) {
-    for (const Histogram& histogram : result.runs[index].measurements.histograms) names.insert(histogram.name);
+    for (const Histogram& histogram : result.runs[index].measurements.histograms)
+      names.insert(histogram.name);
   }
   std::string plots;
   for (const std::string& name : names) plots += histogram_plot(result, group, name, shown);

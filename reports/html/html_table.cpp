@@ -15,10 +15,10 @@ namespace {
 
 struct Column {
   const char* group;
-  const char* name;     ///< ratio, counter or derived quantity
+  const char* name;  ///< ratio, counter or derived quantity
   const char* heading;
-  int better;           ///< -1, 0, +1
-  bool compare;         ///< with the baseline, in small print
+  int better;    ///< -1, 0, +1
+  bool compare;  ///< with the baseline, in small print
 };
 
 constexpr Column kColumns[] = {
@@ -28,7 +28,7 @@ constexpr Column kColumns[] = {
     {"Time", "cycles_per_ray", "cycles / ray", -1, false},
     {"Time", "rays_per_second", "rays / s", 1, false},
     {"Time", "frames_per_second", "frames / s", 1, false},
-    {"Time", "step_utilisation", "slots that step", 1, false},
+    {"Time", "step_utilisation", "slots that step", 0, false},
     {"L1", "l1_hit_rate", "hit rate", 1, false},
     {"L1", "height_l1.unique_lines", "unique lines", -1, false},
     {"L1", "refetch_factor", "fills / compulsory", -1, false},
@@ -43,6 +43,12 @@ std::optional<double> value_of(const RunEntry& run, const char* name) {
   return found ? found : quantity(run, name);
 }
 
+std::string unit_of(const char* name) {
+  if (const RatioDefinition* definition = find_ratio(name)) return std::string(definition->unit);
+  if (const StatisticDefinition* definition = find_statistic(name)) return std::string(definition->unit);
+  return "bytes";
+}
+
 std::string text_of(double value, const char* name) {
   if (const RatioDefinition* definition = find_ratio(name)) {
     const std::string unit(definition->unit);
@@ -50,16 +56,8 @@ std::string text_of(double value, const char* name) {
     if (unit == "rays/s") return with_prefix(value, "");
     return significant(value, 3);
   }
-  for (const DerivedQuantity& derived : derived_quantities()) {
-    if (derived.name == name && derived.unit == "bytes") return readable(value, "bytes");
-  }
+  if (unit_of(name) == "bytes") return readable(value, "bytes");
   return grouped(static_cast<int64_t>(value));
-}
-
-std::string unit_of(const char* name) {
-  if (const RatioDefinition* definition = find_ratio(name)) return std::string(definition->unit);
-  if (const StatisticDefinition* definition = find_statistic(name)) return std::string(definition->unit);
-  return "bytes";
 }
 
 std::vector<Column> columns_with_values(const Result& result, const RunGroup& group) {
@@ -102,15 +100,18 @@ std::optional<double> best_of(const Result& result, const RunGroup& group, const
   return differ ? best : std::nullopt;
 }
 
-std::string cell_of(const Result& result, const RunEntry& run, const Column& column, std::optional<double> best) {
+std::string cell_of(const Result& result, const RunEntry& run, const Column& column,
+                    std::optional<double> best) {
   const auto value = value_of(run, column.name);
   if (!value) return "<td class=\"none\">-</td>";
   const bool is_best = best && *value == *best && !run.partial();
   std::string exact = *value == std::floor(*value) && std::fabs(*value) < 1e15
-                          ? grouped(static_cast<int64_t>(*value)) : significant(*value, 7);
+                          ? grouped(static_cast<int64_t>(*value))
+                          : significant(*value, 7);
   std::string unit = unit_of(column.name);
-  std::string cell = fmt::format("<td{} data-tip=\"{}\">{}", is_best ? " class=\"best\"" : "",
-                                 escape(exact + (unit.empty() ? "" : " " + unit)), escape(text_of(*value, column.name)));
+  std::string cell =
+      fmt::format("<td{} data-tip=\"{}\">{}", is_best ? " class=\"best\"" : "",
+                  escape(exact + (unit.empty() ? "" : " " + unit)), escape(text_of(*value, column.name)));
   const auto change = column.compare ? against_baseline(result, run, column.name) : std::nullopt;
   if (change) cell += "<small>" + escape(signed_percent(*change)) + "</small>";
   return cell + "</td>";
@@ -120,12 +121,14 @@ std::string cell_of(const Result& result, const RunEntry& run, const Column& col
 
 std::string comparison_table(const Result& result, const RunGroup& group, ShownNames& shown) {
   const std::vector<Column> columns = columns_with_values(result, group);
-  std::string html = "<div class=\"scroll\"><table class=\"numbers\">" + table_head(columns, shown) + "<tbody>";
+  std::string html =
+      "<div class=\"scroll\"><table class=\"numbers\">" + table_head(columns, shown) + "<tbody>";
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
     html += "<tr><th scope=\"row\">" + escape(label_of(result, run));
     if (run.partial()) {
-      html += fmt::format("<small>partial: {} of {} rays</small>", grouped(static_cast<int64_t>(run.finished_rays)),
+      html += fmt::format("<small>partial: {} of {} rays</small>",
+                          grouped(static_cast<int64_t>(run.finished_rays)),
                           grouped(static_cast<int64_t>(run.all_rays)));
     }
     html += "</th>";
@@ -135,8 +138,8 @@ std::string comparison_table(const Result& result, const RunGroup& group, ShownN
   html += "</tbody></table></div>";
   const RunEntry* baseline = baseline_of(result, result.runs[group.runs.front()]);
   if (group.runs.size() > 1 && baseline != nullptr) {
-    html += "<p class=\"note\">Best in bold; small percentages are against " + escape(label_of(result, *baseline)) +
-            ". Pointing shows every digit.</p>";
+    html += "<p class=\"note\">Best in bold; small percentages are against " +
+            escape(label_of(result, *baseline)) + ". Pointing shows every digit.</p>";
   }
   return html;
 }

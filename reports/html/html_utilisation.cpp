@@ -16,8 +16,8 @@ namespace {
 constexpr std::string_view kFamilies[] = {"traverse.slots_", "traverse.bubble_", "traverse.stall_"};
 
 struct Reason {
-  std::string name;    ///< "traverse.slots_step"
-  std::string label;   ///< "slots: step"
+  std::string name;   ///< "traverse.slots_step"
+  std::string label;  ///< "slots: step"
   std::string colour;
 };
 
@@ -39,7 +39,8 @@ std::vector<Reason> reasons_of(const Result& result, const RunGroup& group) {
       }
     }
     int shade = 0;
-    if (names.erase("traverse.slots_step") > 0) reasons.push_back({"traverse.slots_step", "slots step", "work"});
+    if (names.erase("traverse.slots_step") > 0)
+      reasons.push_back({"traverse.slots_step", "slots step", "work"});
     for (const std::string& name : names) {
       reasons.push_back({name, words(name), fmt::format("f{}-{}", family, shade++ % 5)});
     }
@@ -47,8 +48,8 @@ std::vector<Reason> reasons_of(const Result& result, const RunGroup& group) {
   return reasons;
 }
 
-Bar bar_for(const RunEntry& run, const std::string& label, const std::vector<Reason>& reasons, const std::string& unit,
-            double full) {
+Bar bar_for(const RunEntry& run, const std::string& label, const std::vector<Reason>& reasons,
+            const std::string& unit, double full) {
   auto count = [&](const std::string& name) -> double {
     const Counters& counters = run.measurements.counters;
     if (unit.empty()) return static_cast<double>(counter_total(counters, name).value_or(0));
@@ -61,14 +62,17 @@ Bar bar_for(const RunEntry& run, const std::string& label, const std::vector<Rea
     const double value = count(reason.name);
     const std::string share = fmt::format("{:.1f} %", cycles > 0 ? 100 * value / cycles : 0);
     sum += value;
-    bar.segments.push_back({reason.colour, value,
-                            fmt::format("{}\n{}: {} cycles, {}\n{}", label, reason.label,
-                                        grouped(static_cast<int64_t>(value)), share, definition_sentence(reason.name)),
-                            full > 0 && value / full > 0.05 ? share : ""});
+    bar.segments.push_back(
+        {reason.colour, value,
+         fmt::format("{}\n{}: {} cycles, {}\n{}", label, reason.label, grouped(static_cast<int64_t>(value)),
+                     share, definition_sentence(reason.name)),
+         full > 0 && value / full > 0.05 ? share : ""});
   }
   if (cycles > sum) {
-    bar.segments.push_back({"unknown", cycles - sum, fmt::format("{}\nnot accounted for: {} cycles", label,
-                                                                 grouped(static_cast<int64_t>(cycles - sum))), ""});
+    bar.segments.push_back(
+        {"unknown", cycles - sum,
+         fmt::format("{}\nnot accounted for: {} cycles", label, grouped(static_cast<int64_t>(cycles - sum))),
+         ""});
   }
   return bar;
 }
@@ -87,7 +91,8 @@ std::string utilisation_plots(const Result& result, const RunGroup& group, Shown
   if (reasons.empty() || full <= 0) return "";
   BarPlot plot;
   plot.title = "What each pipeline cycle was used for";
-  plot.remark = "Sum over all pipelines; the bars' lengths are " + defined("traverse.cycles", "pipeline cycles", shown);
+  plot.remark =
+      "Sum over all pipelines; the bars' lengths are " + defined("traverse.cycles", "pipeline cycles", shown);
   for (const Reason& reason : reasons) {
     shown.insert(reason.name);
     plot.legend.push_back({reason.colour, reason.label, definition_sentence(reason.name)});
@@ -95,7 +100,8 @@ std::string utilisation_plots(const Result& result, const RunGroup& group, Shown
   plot.full = full;
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
-    if (quantity(run, "traverse.cycles")) plot.bars.push_back(bar_for(run, label_of(result, run), reasons, "", full));
+    if (quantity(run, "traverse.cycles"))
+      plot.bars.push_back(bar_for(run, label_of(result, run), reasons, "", full));
   }
   std::string html = svg_bar_plot(plot);
   if (pipelines < 2) return html;

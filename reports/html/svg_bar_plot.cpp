@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "reports/html/html_text.h"
 
@@ -21,28 +20,24 @@ double length_of(const Bar& bar) {
 }
 
 /// Percentage of the plot's width at which `value` stands.
-double place(const BarPlot& plot, double full, double value) {
-  if (full <= 0) return 0;
-  if (!plot.logarithmic) return 100 * std::clamp(value / full, 0.0, 1.0);
-  const double range = std::log(full / plot.log_start);
-  return value <= plot.log_start || range <= 0 ? 0 : 100 * std::min(1.0, std::log(value / plot.log_start) / range);
-}
+double place(double full, double value) { return full <= 0 ? 0 : 100 * std::clamp(value / full, 0.0, 1.0); }
 
-std::string bar_marks(const BarPlot& plot, double full, const Bar& bar, int top) {
+std::string bar_marks(double full, const Bar& bar, int top) {
   std::string svg = fmt::format("<rect class=\"track\" x=\"0\" y=\"{}\" width=\"100%\" height=\"{}\"/>",
                                 top + kLabelHeight, kBarHeight);
   double sum = 0;
   for (const Segment& segment : bar.segments) {
-    const double from = place(plot, full, sum);
+    const double from = place(full, sum);
     sum += segment.value;
-    const double width = place(plot, full, sum) - from;
+    const double width = place(full, sum) - from;
     if (segment.value <= 0) continue;
     svg += fmt::format("<rect class=\"mark {}\" x=\"{:.3f}%\" y=\"{}\" width=\"{:.3f}%\" height=\"{}\"{}/>",
                        segment.css_class, from, top + kLabelHeight, std::max(width, 0.15), kBarHeight,
                        tip_attributes(segment.tip));
     if (!segment.text.empty() && width > 9) {
-      svg += fmt::format("<text class=\"in-bar\" x=\"{:.3f}%\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-                         from + width / 2, top + kLabelHeight + kBarHeight - 4, escape(segment.text));
+      svg += fmt::format(
+          "<text class=\"in-bar on-{}\" x=\"{:.3f}%\" y=\"{}\" text-anchor=\"middle\">{}</text>",
+          segment.css_class, from + width / 2, top + kLabelHeight + kBarHeight - 4, escape(segment.text));
     }
   }
   return svg;
@@ -70,15 +65,16 @@ std::string svg_bar_plot(const BarPlot& plot) {
   figure += fmt::format("<svg class=\"bars\" width=\"100%\" height=\"{}\">", height);
   int top = 0;
   for (const Bar& bar : plot.bars) {
-    figure += fmt::format("<text class=\"label{}\" x=\"0\" y=\"{}\">{}</text>", bar.best ? " best" : "", top + 13,
-                          escape(bar.label));
+    figure += fmt::format("<text class=\"label{}\" x=\"0\" y=\"{}\">{}</text>", bar.best ? " best" : "",
+                          top + 13, escape(bar.label));
     figure += fmt::format("<text class=\"value{}\" x=\"100%\" y=\"{}\" text-anchor=\"end\">{}</text>",
                           bar.best ? " best" : "", top + 13, escape(bar.value_text));
-    figure += bar_marks(plot, full, bar, top);
+    figure += bar_marks(full, bar, top);
     if (plot.reference > 0) {
-      const double x = std::min(99.8, place(plot, full, plot.reference));
-      figure += fmt::format("<line class=\"reference\" x1=\"{0:.3f}%\" x2=\"{0:.3f}%\" y1=\"{1}\" y2=\"{2}\"/>", x,
-                            top + kLabelHeight - 2, top + kLabelHeight + kBarHeight + 2);
+      const double x = std::min(99.8, place(full, plot.reference));
+      figure +=
+          fmt::format("<line class=\"reference\" x1=\"{0:.3f}%\" x2=\"{0:.3f}%\" y1=\"{1}\" y2=\"{2}\"/>", x,
+                      top + kLabelHeight - 2, top + kLabelHeight + kBarHeight + 2);
     }
     top += kRowHeight;
   }

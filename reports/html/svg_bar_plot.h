@@ -35,8 +35,6 @@ struct BarPlot {
   std::vector<Bar> bars;
   double full = 0;       ///< value at the right end; 0: the longest bar
   double reference = 0;  ///< > 0: a dashed line across all bars
-  bool logarithmic = false;
-  double log_start = 1;  ///< value at the left end of a logarithmic plot
 };
 
 /// A <figure> with an SVG whose lengths are percentages of its width.

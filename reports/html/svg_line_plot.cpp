@@ -45,8 +45,8 @@ std::string axes(const LinePlot& plot, double full) {
   }
   for (const auto& [place, text] : plot.x_ticks) {
     const char* anchor = place < 0.04 ? "start" : place > 0.96 ? "end" : "middle";
-    svg += fmt::format("<text class=\"tick\" x=\"{:.2f}%\" y=\"{}\" text-anchor=\"{}\">{}</text>", 100 * place,
-                       kTop + kHeight + 16, anchor, escape(text));
+    svg += fmt::format("<text class=\"tick\" x=\"{:.2f}%\" y=\"{}\" text-anchor=\"{}\">{}</text>",
+                       100 * place, kTop + kHeight + 16, anchor, escape(text));
   }
   return svg;
 }
@@ -74,11 +74,15 @@ std::string svg_line_plot(const LinePlot& plot) {
   std::string figure = "<figure class=\"plot lines\"><figcaption>" + plot.title;
   if (!plot.remark.empty()) figure += "<small>" + plot.remark + "</small>";
   figure += "</figcaption>" + legend_list(legend);
-  figure += fmt::format("<div class=\"area\" tabindex=\"0\" role=\"img\" aria-label=\"Line plot; arrow keys read values\">"
-                        "<svg width=\"100%\" height=\"{}\">", kTop + kHeight + kBottom);
+  figure += fmt::format(
+      "<div class=\"area\" tabindex=\"0\" role=\"img\" aria-label=\"Line plot; arrow keys read values\">"
+      "<svg width=\"100%\" height=\"{}\">",
+      kTop + kHeight + kBottom);
   figure += axes(plot, full);
-  figure += fmt::format("<svg x=\"0\" y=\"{}\" width=\"100%\" height=\"{}\" viewBox=\"0 0 1000 1000\" "
-                        "preserveAspectRatio=\"none\" overflow=\"visible\">", kTop, kHeight);
+  figure += fmt::format(
+      "<svg x=\"0\" y=\"{}\" width=\"100%\" height=\"{}\" viewBox=\"0 0 1000 1000\" "
+      "preserveAspectRatio=\"none\" overflow=\"visible\">",
+      kTop, kHeight);
   for (const Line& line : plot.lines) {
     figure += fmt::format("<path class=\"line {0}\" data-series=\"{0}\" d=\"{1}\"/>", line.css_class,
                           path_of(plot, line, full));
@@ -87,8 +91,9 @@ std::string svg_line_plot(const LinePlot& plot) {
   for (const Line& line : plot.lines) {
     for (size_t k = 0; plot.points && k < plot.places.size(); ++k) {
       if (std::isnan(line.values[k])) continue;
-      figure += fmt::format("<circle class=\"{0}\" data-series=\"{0}\" cx=\"{1:.2f}%\" cy=\"{2:.1f}\" r=\"4\"/>",
-                            line.css_class, 100 * plot.places[k], y_of(line.values[k], full));
+      figure +=
+          fmt::format("<circle class=\"{0}\" data-series=\"{0}\" cx=\"{1:.2f}%\" cy=\"{2:.1f}\" r=\"4\"/>",
+                      line.css_class, 100 * plot.places[k], y_of(line.values[k], full));
     }
   }
   return figure + "</svg></div>" + data_for_script(plot) + "</figure>\n";

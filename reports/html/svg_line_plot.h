@@ -13,12 +13,12 @@ struct Line {
 };
 
 struct LinePlot {
-  std::string title;   ///< may hold markup
-  std::string remark;  ///< may hold markup
+  std::string title;                     ///< may hold markup
+  std::string remark;                    ///< may hold markup
   std::vector<double> places;            ///< 0 to 1 along x, rising
   std::vector<std::string> place_texts;  ///< what pointing shows for x
   std::vector<std::pair<double, std::string>> x_ticks;
-  std::string y_unit;                    ///< written at the top label
+  std::string y_unit;  ///< written at the top label
   std::vector<Line> lines;
   bool points = false;  ///< marks at the values: for few places
 };
