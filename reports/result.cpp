@@ -67,4 +67,22 @@ const RunEntry* baseline_of(const Result& result, const RunEntry& run) {
   return some_oh ? nullptr : first;
 }
 
+const RunEntry* common_baseline(const Result& result, const RunGroup& group) {
+  const RunEntry* common = baseline_of(result, result.runs[group.runs.front()]);
+  for (size_t index : group.runs) {
+    if (baseline_of(result, result.runs[index]) != common) return nullptr;
+  }
+  return common;
+}
+
+std::string baseline_name(const Result& result, const RunGroup& group) {
+  const RunEntry* common = common_baseline(result, group);
+  if (common != nullptr) return label_of(result, *common);
+  for (size_t index : group.runs) {
+    const RunEntry* own = baseline_of(result, result.runs[index]);
+    if (own != nullptr) return own->algorithm;
+  }
+  return "";
+}
+
 }  // namespace cuesta

@@ -86,4 +86,11 @@ std::vector<RunGroup> group_by_scene(const Result& result);
 /// of the result is `oh2006`, the scene's first run. nullptr where there is none.
 const RunEntry* baseline_of(const Result& result, const RunEntry& run);
 
+/// The one baseline of all runs of a scene; nullptr where they have several (one for each machine) or none.
+const RunEntry* common_baseline(const Result& result, const RunGroup& group);
+
+/// What the runs of a scene are held against, for headings: the common baseline's label, or "oh2006" where each
+/// machine has its own; empty where there is none.
+std::string baseline_name(const Result& result, const RunGroup& group);
+
 }  // namespace cuesta

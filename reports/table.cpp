@@ -51,7 +51,7 @@ std::string trimmed(std::string line) {
 
 std::string block(const Result& result, const RunGroup& group) {
   const RunEntry& first = result.runs[group.runs.front()];
-  const RunEntry* baseline = baseline_of(result, first);
+  const std::string baseline = baseline_name(result, group);
   std::vector<std::vector<std::string>> columns = {{"", "algorithm"}};
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
@@ -59,7 +59,7 @@ std::string block(const Result& result, const RunGroup& group) {
   }
   for (const Column& column : kColumns) {
     std::vector<std::string> cells = {column.heading, column.unit};
-    if (column.against[0] != '\0' && baseline != nullptr) cells[1] = "vs " + label_of(result, *baseline);
+    if (column.against[0] != '\0' && !baseline.empty()) cells[1] = "vs " + baseline;
     bool some = false;
     for (size_t index : group.runs) {
       cells.push_back(text_of(result, result.runs[index], column));
@@ -68,9 +68,12 @@ std::string block(const Result& result, const RunGroup& group) {
     }
     if (some) columns.push_back(cells);
   }
+  const bool same_machine = std::all_of(group.runs.begin(), group.runs.end(), [&](size_t index) {
+    return result.runs[index].architecture == first.architecture;
+  });
   std::string text =
       fmt::format("{}: {} rays, {}, {}\n", first.scene, grouped(static_cast<int64_t>(first.all_rays)),
-                  first.architecture, first.fidelity);
+                  same_machine ? first.architecture : "several architectures", first.fidelity);
   for (size_t row = 0; row < columns[0].size(); ++row) {
     std::string line, rule;
     for (size_t c = 0; c < columns.size(); ++c) {

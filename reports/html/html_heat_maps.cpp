@@ -50,7 +50,7 @@ std::string colour_bar(const HeatScale& scale) {
                                       : "",
                        grouped(tick));
   }
-  return bar + fmt::format("</div><p>{}{}, the same scale for all</p></div>", escape(scale.unit),
+  return bar + fmt::format("</div><p>{}{}, the same scale for every picture</p></div>", escape(scale.unit),
                            scale.logarithmic ? ", logarithmic" : "");
 }
 
@@ -89,7 +89,7 @@ std::string pictures(const Result& result, const std::string& name, const HeatSc
   std::string html;
   for (const RunGroup& group : groups) {
     if (groups.size() > 1) html += "<h3>" + escape(group.scene) + "</h3>";
-    html += "<div class=\"grid pictures\">";
+    html += group.runs.size() > 2 ? "<div class=\"grid pictures\">" : "<div class=\"grid pictures few\">";
     for (size_t index : group.runs) {
       for (const Plane& plane : result.runs[index].measurements.planes) {
         if (plane.name == name) html += one_picture(result, result.runs[index], plane, scale, limit);

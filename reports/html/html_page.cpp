@@ -47,10 +47,10 @@ std::string facts_line(const Result& result) {
 std::string scene_sections(const Result& result, const RunGroup& group, bool several, ShownNames& shown) {
   const RunEntry& first = result.runs[group.runs.front()];
   const std::string on = several ? " on " + escape(group.scene) : "";
-  std::string html =
-      section(several ? escape(group.scene) : "In numbers",
-              fmt::format("{} rays, the same for every row.", grouped(static_cast<int64_t>(first.all_rays))),
-              comparison_table(result, group, shown) + number_plots(result, group, shown));
+  std::string html = section(several ? escape(group.scene) : "In numbers",
+                             fmt::format("{} rays{}.", grouped(static_cast<int64_t>(first.all_rays)),
+                                         group.runs.size() > 1 ? ", the same for every row" : ""),
+                             comparison_table(result, group, shown) + number_plots(result, group, shown));
   html += section("Where the cycles went" + on, "", utilisation_plots(result, group, shown));
   html += section("Memory traffic" + on, "", traffic_plots(result, group, shown));
   html += section("Distributions" + on, "", histogram_plots(result, group, shown));

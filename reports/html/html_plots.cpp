@@ -56,7 +56,7 @@ std::string number_plot(const Result& result, const RunGroup& group, const Ratio
   }
   if (plot.bars.empty()) return "";
   if (definition.unit == "fraction") plot.full = 1;
-  const RunEntry* baseline = baseline_of(result, result.runs[group.runs.front()]);
+  const RunEntry* baseline = common_baseline(result, group);
   const auto reference = baseline == nullptr ? std::nullopt : ratio(*baseline, definition.name);
   if (reference && group.runs.size() > 1) plot.reference = *reference;
   return svg_bar_plot(plot);
@@ -140,6 +140,7 @@ std::string histogram_plot(const Result& result, const RunGroup& group, const st
 }  // namespace
 
 std::string number_plots(const Result& result, const RunGroup& group, ShownNames& shown) {
+  if (group.runs.size() < 2) return "";  // the table says it all
   std::string plots;
   for (const char* name : {"steps_per_ray", "cycles_per_ray", "dram_bytes_per_ray", "l1_hit_rate",
                            "step_utilisation", "frames_per_second"}) {

@@ -136,10 +136,11 @@ std::string comparison_table(const Result& result, const RunGroup& group, ShownN
     html += "</tr>";
   }
   html += "</tbody></table></div>";
-  const RunEntry* baseline = baseline_of(result, result.runs[group.runs.front()]);
-  if (group.runs.size() > 1 && baseline != nullptr) {
-    html += "<p class=\"note\">Best in bold; small percentages are against " +
-            escape(label_of(result, *baseline)) + ". Pointing shows every digit.</p>";
+  const std::string baseline = baseline_name(result, group);
+  if (group.runs.size() > 1 && !baseline.empty()) {
+    html += "<p class=\"note\">Best in bold; small percentages are against " + escape(baseline) +
+            (common_baseline(result, group) == nullptr ? " on the same machine" : "") +
+            ". Pointing shows every digit.</p>";
   }
   return html;
 }

@@ -73,6 +73,14 @@ TEST(Headline, BaselineHasTheSameMachine) {
   result.runs[1].architecture = result.runs[2].architecture = "desktop";
   EXPECT_EQ(baseline_of(result, result.runs[2]), &result.runs[1]);
   EXPECT_DOUBLE_EQ(*against_baseline(result, result.runs[2], "machine.cycles"), -0.5);
+  EXPECT_EQ(common_baseline(result, group_by_scene(result)[0]), nullptr);
+  EXPECT_EQ(baseline_name(result, group_by_scene(result)[0]), "oh2006");
+}
+
+TEST(Headline, WithoutOh2006TheFirstRunIsTheBaseline) {
+  const Result result = result_of({run_of("dda", 1000, 2000), run_of("yun2013", 600, 1000)});
+  EXPECT_EQ(baseline_name(result, group_by_scene(result)[0]), "dda");
+  EXPECT_DOUBLE_EQ(*against_baseline(result, result.runs[1], "machine.cycles"), -0.5);
 }
 
 }  // namespace
