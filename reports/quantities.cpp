@@ -58,11 +58,11 @@ constexpr std::array kRules = {
 
 constexpr std::array kRatios = {
     RatioDefinition{"steps_per_ray", "Steps per ray", "steps/ray", "machine.steps", "machine.rays", -1,
-                    "Node visits of the traversal, over all rays that entered the machine."},
+                    "Node visits of the traversal, over the rays of the trace."},
     RatioDefinition{"rays_hit", "Rays that hit", "fraction", "machine.hits", "machine.rays", 0,
-                    "Rays that ended on the surface, over all rays that entered the machine."},
+                    "Rays that ended on the surface, over the rays of the trace."},
     RatioDefinition{"cycles_per_ray", "Cycles per ray", "cycles/ray", "machine.cycles", "machine.rays", -1,
-                    "Machine cycles from the first dispatch to the last record written, over the rays."},
+                    "Machine cycles over the rays of the trace."},
     RatioDefinition{"rays_per_second", "Rays per second", "rays/s", "machine.rays", "machine.seconds", 1,
                     "Rays over the simulated time at the configured clock."},
     RatioDefinition{"frames_per_second", "Frames per second", "frames/s", "machine.clock_hz",
