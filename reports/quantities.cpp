@@ -138,8 +138,10 @@ std::string without_index(std::string_view path) {
 
 std::optional<int64_t> counter_total(const Counters& counters, std::string_view name) {
   std::optional<int64_t> total;
+  const bool is_maximum = name.ends_with(".max_fill");
   for (const auto& [path, value] : counters.all()) {
-    if (path == name || without_index(path) == name) total = total.value_or(0) + value;
+    if (path != name && without_index(path) != name) continue;
+    total = is_maximum ? std::max(total.value_or(value), value) : total.value_or(0) + value;
   }
   return total;
 }
@@ -153,6 +155,8 @@ std::optional<double> quantity(const RunEntry& run, std::string_view name) {
 }
 
 std::optional<Ratio> ratio(const RunEntry& run, const RatioDefinition& definition) {
+  if (run.partial() && definition.name == std::string_view("frames_per_second"))
+    return std::nullopt;  // no frame
   const auto numerator = quantity(run, definition.numerator);
   const auto denominator = quantity(run, definition.denominator);
   if (!numerator || !denominator || *denominator == 0) return std::nullopt;

@@ -26,11 +26,29 @@ bool is_there(const fs::path& path) {
   return fs::symlink_status(path, error).type() != fs::file_type::not_found;
 }
 
-/// An empty folder, or one that a `commit` has made.
+/// Whether a result holds a file of that name (relative to its folder).
+bool belongs_to_a_result(const fs::path& relative) {
+  static constexpr const char* kFiles[] = {"result.json", "result.csv", "summary.csv", "manifest.json",
+                                           "report.html"};
+  const std::string name = relative.string();
+  for (const char* file : kFiles) {
+    if (name == file) return true;
+  }
+  return (name.starts_with("config.resolved") && relative.extension() == ".toml") || name == "heatmaps" ||
+         name == "planes" || (relative.parent_path() == "heatmaps" && relative.extension() == ".png") ||
+         (relative.parent_path() == "planes" && relative.extension() == ".exr");
+}
+
+/// An empty folder, or one that a `commit` has made and nobody has added to.
 bool is_result_folder(const fs::path& path) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() != fs::file_type::directory) return false;
-  return fs::is_empty(path, error) || (is_there(path / "result.json") && is_there(path / "manifest.json"));
+  if (fs::is_empty(path, error)) return true;
+  if (!is_there(path / "result.json") || !is_there(path / "manifest.json")) return false;
+  for (const auto& entry : fs::recursive_directory_iterator(path, error)) {
+    if (!belongs_to_a_result(entry.path().lexically_relative(path))) return false;
+  }
+  return !error;
 }
 
 void check_free(const fs::path& path, bool overwrite) {
@@ -42,7 +60,7 @@ void check_free(const fs::path& path, bool overwrite) {
   if (!is_result_folder(path)) {
     throw usage_error(
         "'" + path.string() +
-        "' exists and is not a result folder (a folder with result.json and manifest.json, or an empty "
+        "' exists and is not a result folder (one that holds what a result has and nothing else, or an empty "
         "one), so --overwrite does not replace it.");
   }
 }
@@ -131,14 +149,16 @@ void ResultFolder::write(const fs::path& relative, std::string_view bytes) {
   if (!stream) throw cannot("write", path, "the disk may be full or the folder not writable");
 }
 
-void ResultFolder::commit() {
-  check_free(final_, overwrite_);
-  const fs::path staging = std::exchange(staging_, {});
-  if (rename_if_free(staging, final_)) return;
-  check_free(final_, overwrite_);
-  swap_folders(staging, final_);
-  std::error_code error;
-  fs::remove_all(staging, error);  // now the old result
+void ResultFolder::commit(bool whole) {
+  const fs::path wanted = final_;
+  for (int number = 2; !rename_if_free(staging_, final_); ++number) {
+    if (number == 2 && overwrite_ && whole && is_result_folder(final_)) {
+      swap_folders(staging_, final_);
+      return;  // what is staged now is the old result, and goes
+    }
+    final_ = wanted.string() + "-" + std::to_string(number);
+  }
+  staging_.clear();
 }
 
 }  // namespace cuesta

@@ -24,9 +24,10 @@ class ResultFolder {
   /// Where writers that need a path of their own put their files; the file's folder exists afterwards.
   std::filesystem::path file(const std::filesystem::path& relative);
 
-  /// Puts the folder under its final name; the last call. Throws usage_error when something else has taken
-  /// that name meanwhile.
-  void commit();
+  /// Puts the folder under its final name; the last call. When something else has taken that name meanwhile, or
+  /// when the new result is not `whole` and an older one stands there, it goes beside, as NAME-2, NAME-3 ...:
+  /// `final_path` then says so. What was computed is never lost.
+  void commit(bool whole = true);
 
   const std::filesystem::path& final_path() const { return final_; }
 

@@ -51,7 +51,7 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
     steps += record.steps;
     if (record.status != HitStatus::kDidNotFinish) per_ray.push_back(record.steps);
   }
-  counters.set("machine.rays", static_cast<int64_t>(hits.size()));
+  counters.set("machine.rays", static_cast<int64_t>(hits.size()) - unfinished);
   counters.set("machine.hits", hit);
   counters.set("machine.misses", miss);
   counters.set("machine.dead_rays", dead);

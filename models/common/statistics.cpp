@@ -46,7 +46,7 @@ constexpr StatisticDefinition kDefinitions[] = {
     {"machine.dead_rays", "rays", "Rays that missed at set-up, with no step: outside the slab or the map."},
     {"machine.hits", "rays", "Rays that hit the surface."},
     {"machine.misses", "rays", "Rays that did not, dead ones included."},
-    {"machine.rays", "rays", "Rays of the trace."},
+    {"machine.rays", "rays", "Rays with a result: all of the trace, unless the run was ended early."},
     {"machine.steps", "steps", "Node visits of all rays."},
     {"machine.texel_bytes", "bytes",
      "Bytes of the texels that the steps read: the traffic without any cache."},

@@ -120,7 +120,8 @@ MachineRay quantise(const TracedRay& ray, const MapShape& map, const NumberForma
     if (a < 2 && !(position < scaled(1, bits) && position > -scaled(1, bits))) {
       refuse(ray, std::string("origin ") + "uv"[a] + " = " + std::to_string(origin[a]) +
                       " tiles lies outside the " + std::to_string(int64_t{1} << format.tile_bits) +
-                      " tiles that traverse.tile_bits = " + std::to_string(format.tile_bits) + " can hold");
+                      " tiles that traverse.tile_bits = " + std::to_string(format.tile_bits) +
+                      " can hold; more tile_bits hold more");
     }
     *place[a] = out.dead && a == 2 ? 0 : round_to_even(position);
   }

@@ -141,7 +141,7 @@ ExitCode finish_result(Result& result, size_t planned, const std::vector<Resolve
   write_configurations(machines, fidelity, folder);
   write_result(result, folder);
   write_planes(result, folder);
-  folder.commit();
+  folder.commit(whole == planned);
 
   std::fputs((options.json ? result_json(result) : print_table(result)).c_str(), stdout);
   const fs::path report = folder.final_path() / "report.html";

@@ -68,11 +68,9 @@ std::pair<int, int> parse_size(const std::string& text) {
   return {sides[0], sides[1]};
 }
 
-/// -1 stands for an option that is not given.
-std::optional<double> in_range(const char* option, double value, double low, double high) {
-  if (value == -1) return {};
-  if (value >= low && value <= high) return value;
-  throw usage_error(std::string(option) + " is " + shortest_text(value) + "; accepted is a number from " +
+std::optional<double> in_range(const char* option, std::optional<double> value, double low, double high) {
+  if (!value || (*value >= low && *value <= high)) return value;
+  throw usage_error(std::string(option) + " is " + shortest_text(*value) + "; accepted is a number from " +
                     shortest_text(low) + " to " + shortest_text(high) + ".");
 }
 

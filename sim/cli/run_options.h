@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ struct RunOptions {
   std::string host = "direct";
   std::vector<std::string> settings;
   std::string heightmap, rays_file, crop, size;
-  double angle_degrees = -1, depth = -1;  ///< below 0: not given
-  std::string folder;                     ///< -o; empty: the next free one below results/
+  std::optional<double> angle_degrees, depth;
+  std::string folder;  ///< -o; empty: the next free one below results/
   bool json = false;
   bool force = false;
 

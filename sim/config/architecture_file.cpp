@@ -145,6 +145,10 @@ ResolvedArchitecture resolve_architecture(const std::string& preset_or_file,
   apply_settings(settings, resolved);
   const std::vector<std::string> wrong = contradictions(resolved.architecture);
   if (!wrong.empty()) throw usage_error("Architecture " + resolved.architecture.name + ": " + wrong.front());
+  // Reports tell machines apart by their names.
+  for (size_t k = 0; k < settings.size(); ++k) {
+    resolved.architecture.name += (k == 0 ? " with " : ", ") + settings[k];
+  }
 
   for (size_t k = 0; k < parameters().size(); ++k) {
     const Parameter& parameter = parameters()[k];

@@ -65,9 +65,10 @@ constexpr auto kParameters = std::to_array<Parameter>({
         "machine.pipelines", 1, 64, kTime, "",
         "Pipelines (ray_setup, traverse, height_l1, hit_queue) behind one ray_dispatch and over one dram.",
         kOurs),
-    number<&A::machine, &Machine::clock_mhz>(
-        "machine.clock_mhz", 1, 10'000, kTime, "MHz",
-        "Clock of every unit but dram; turns cycles into rays/s and GB/s, and changes no count.", kOurs),
+    number<&A::machine, &Machine::clock_mhz>("machine.clock_mhz", 1, 10'000, kTime, "MHz",
+                                             "Clock of the machine, which dram's is a ratio of; turns cycles "
+                                             "into rays/s and GB/s, and changes no count.",
+                                             kOurs),
     number<&A::machine, &Machine::no_progress_cycles>(
         "machine.no_progress_cycles", 1'000, 1'000'000'000'000, kTime, "cycles",
         "The run stops with exit code 4 after so many cycles in which no step finishes.", kOurs),

@@ -69,10 +69,11 @@ TEST_F(ResultFolderTest, RefusesAnOldResultUnlessAsked) {
 
 TEST_F(ResultFolderTest, ReplacesAnOldResultWholeWhenAsked) {
   write_result("out", "old", false);
-  std::ofstream(root_ / "out/left-over.txt") << "x";
+  fs::create_directory(root_ / "out/planes");
+  std::ofstream(root_ / "out/planes/left-over.exr") << "x";
   write_result("out", "new", true);
   EXPECT_EQ(text_of(root_ / "out/result.json"), "new");
-  EXPECT_FALSE(fs::exists(root_ / "out/left-over.txt"));
+  EXPECT_FALSE(fs::exists(root_ / "out/planes"));
   EXPECT_EQ(entries(), 1u);
 }
 
@@ -95,12 +96,30 @@ TEST_F(ResultFolderTest, NeverReplacesWhatIsNotAResult) {
   EXPECT_EQ(text_of(root_ / "file"), "y");
 }
 
-TEST_F(ResultFolderTest, DoesNotTakeANameThatWasTakenMeanwhile) {
+TEST_F(ResultFolderTest, GoesBesideANameThatWasTakenMeanwhile) {
   ResultFolder folder = ResultFolder::create(root_ / "out", false);
   folder.write("result.json", "late");
   write_result("out", "early", false);
-  EXPECT_EQ(code_of([&] { folder.commit(); }), ExitCode::kUsage);
+  folder.commit();
   EXPECT_EQ(text_of(root_ / "out/result.json"), "early");
+  EXPECT_EQ(folder.final_path(), root_ / "out-2");
+  EXPECT_EQ(text_of(root_ / "out-2/result.json"), "late");
+}
+
+TEST_F(ResultFolderTest, APartialResultDoesNotReplaceAnOldOne) {
+  write_result("out", "whole", false);
+  ResultFolder folder = ResultFolder::create(root_ / "out", true);
+  folder.write("result.json", "partial");
+  folder.commit(false);
+  EXPECT_EQ(text_of(root_ / "out/result.json"), "whole");
+  EXPECT_EQ(text_of(root_ / "out-2/result.json"), "partial");
+}
+
+TEST_F(ResultFolderTest, NeverReplacesAResultThatSomebodyAddedTo) {
+  write_result("out", "old", false);
+  std::ofstream(root_ / "out/thesis.txt") << "mine";
+  EXPECT_EQ(code_of([&] { ResultFolder::create(root_ / "out", true); }), ExitCode::kUsage);
+  EXPECT_EQ(text_of(root_ / "out/thesis.txt"), "mine");
 }
 
 TEST_F(ResultFolderTest, RefusesNamesThatNoFolderCanHave) {

@@ -100,7 +100,7 @@ TEST(Presets, DesktopHasEightPipelinesOverFourChannels) {
   const Architecture desktop = resolve("desktop").architecture;
   EXPECT_EQ(desktop.machine.pipelines, 8);
   EXPECT_EQ(desktop.dram.channels, 4);
-  EXPECT_EQ(desktop.ray_dispatch.assign, DispatchAssign::kInterleave);
+  EXPECT_EQ(desktop.ray_dispatch.assign, DispatchAssign::kFirstFree);
   EXPECT_EQ(desktop.texels.layout, TexelLayoutKind::kMorton);
 }
 
