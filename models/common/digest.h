@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <span>
 #include <string>
@@ -34,7 +35,11 @@ class Digest {
  private:
   void little_endian(uint64_t value, size_t size) {
     if (used_ + 8 > buffer_.size()) flush();
-    for (size_t k = 0; k < 8; ++k) buffer_[used_ + k] = static_cast<std::byte>(value >> (8 * k));
+    if constexpr (std::endian::native == std::endian::little) {
+      std::memcpy(buffer_.data() + used_, &value, 8);
+    } else {
+      for (size_t k = 0; k < 8; ++k) buffer_[used_ + k] = static_cast<std::byte>(value >> (8 * k));
+    }
     used_ += size;  // the rest of the eight is overwritten next
   }
   void flush();

@@ -26,7 +26,7 @@ HeightL1::Answer HeightL1::miss(uint32_t line, uint32_t first_way, int context, 
   for (uint32_t way = first_way + 1; way < first_way + ways_; ++way) {
     if (used_[way] < used_[victim]) victim = way;
   }
-  used_[victim] = ++clock_;
+  used_[victim] = cycle + 1;
   mshrs_[static_cast<size_t>(slot)] = {line, victim, context, context, kNever, cycle};
   ++counts_.misses;
   uint64_t& word = seen_[line / 64];

@@ -5,6 +5,10 @@
 #include <deque>
 #include <vector>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 #include "models/architecture.h"
 #include "models/common/port_stalls.h"
 #include "models/memory/memory_port.h"
@@ -59,11 +63,9 @@ class HeightL1 final : public MemoryClient {
   Answer lookup(uint32_t line, int context, uint32_t ray, Cycle cycle) {
     const uint32_t first = (line & set_mask_) * ways_;
     ++counts_.accesses;
-    // Which way hits is as good as random to a branch predictor: all are compared, one is selected.
-    uint32_t hit = kNoLine;
-    for (uint32_t way = first; way < first + ways_; ++way) hit = lines_[way] == line ? way : hit;
+    const uint32_t hit = find(line, first);
     if (hit != kNoLine) {
-      used_[hit] = ++clock_;
+      used_[hit] = cycle + 1;
       ++counts_.hits;
       return Answer::kHit;
     }
@@ -106,6 +108,23 @@ class HeightL1 final : public MemoryClient {
     Cycle allocated;
   };
 
+  /// The way that holds the line, or kNoLine. Which one it is is as good as random to a branch predictor: all are
+  /// compared, one is selected.
+  uint32_t find(uint32_t line, uint32_t first) const {
+    uint32_t hit = kNoLine;
+#if defined(__SSE2__)
+    if (ways_ == 4) {
+      const __m128i set = _mm_loadu_si128(reinterpret_cast<const __m128i*>(lines_.data() + first));
+      const int equal =
+          _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(set, _mm_set1_epi32(static_cast<int>(line)))));
+      return equal == 0 ? kNoLine
+                        : first + static_cast<uint32_t>(std::countr_zero(static_cast<unsigned>(equal)));
+    }
+#endif
+    for (uint32_t way = first; way < first + ways_; ++way) hit = lines_[way] == line ? way : hit;
+    return hit;
+  }
+
   Answer miss(uint32_t line, uint32_t first_way, int context, uint32_t ray, Cycle cycle);
   void land_one();
 
@@ -117,8 +136,7 @@ class HeightL1 final : public MemoryClient {
   MemoryPort& memory_;
   const PortStalls* stalls_;
   std::vector<uint32_t> lines_;  ///< sets x ways
-  std::vector<uint64_t> used_;   ///< when last used, on clock_; 0: never
-  uint64_t clock_ = 0;
+  std::vector<Cycle> used_;      ///< 1 + the cycle of the last use; 0: never
   std::vector<Mshr> mshrs_;
   uint64_t free_mshrs_;           ///< bit set: free
   uint64_t pending_ = 0;          ///< bit set: allocated, line not yet landed

@@ -12,9 +12,16 @@ void TraverseUnit::advance(Cycle limit) {
     l1_.land_before(cycle_);
     int& slot = slots_[static_cast<size_t>(slot_)];
     if (slot >= 0) {
-      const Context& ray = contexts_[static_cast<size_t>(slot)];
+      Context& ray = contexts_[static_cast<size_t>(slot)];
       if (ray.steps.next != ray.steps.end) {
-        lookup(slot);
+        const HeightL1::Answer answer = l1_.lookup(*ray.steps.next, slot, ray.ray, cycle_);
+        if (answer == HeightL1::Answer::kHit) {
+          step(ray);
+        } else {
+          park(slot, answer);
+          slot = -1;
+          --occupied_;
+        }
         next_slot();
         continue;
       }
@@ -28,29 +35,27 @@ void TraverseUnit::advance(Cycle limit) {
   }
 }
 
-void TraverseUnit::lookup(int context) {
+/// Issues a ray into the empty slot at select.
+void TraverseUnit::issue(int context) {
   Context& ray = contexts_[static_cast<size_t>(context)];
-  ++ray.issue_slots;
-  int& slot = slots_[static_cast<size_t>(slot_)];
-  switch (l1_.lookup(*ray.steps.next, context, ray.ray, cycle_)) {
-    case HeightL1::Answer::kHit:
-      step(ray);
-      occupied_ += slot < 0;
-      slot = context;
-      return;
-    case HeightL1::Answer::kAllocated:
-      ++ray.misses;
-      [[fallthrough]];
-    case HeightL1::Answer::kMerged:
-      ++counts_.miss_slots;
-      break;
-    case HeightL1::Answer::kRefused:
-      ++counts_.refused_slots;
-      l1_.push_retry(context);
-      break;
+  const HeightL1::Answer answer = l1_.lookup(*ray.steps.next, context, ray.ray, cycle_);
+  if (answer != HeightL1::Answer::kHit) return park(context, answer);
+  step(ray);
+  slots_[static_cast<size_t>(slot_)] = context;
+  ++occupied_;
+}
+
+/// The lookup has missed.
+void TraverseUnit::park(int context, HeightL1::Answer answer) {
+  Context& ray = contexts_[static_cast<size_t>(context)];
+  ++ray.other_slots;
+  if (answer == HeightL1::Answer::kRefused) {
+    ++counts_.refused_slots;
+    l1_.push_retry(context);
+    return;
   }
-  occupied_ -= slot >= 0;
-  slot = -1;
+  ++counts_.miss_slots;
+  ray.misses += answer == HeightL1::Answer::kAllocated;
 }
 
 void TraverseUnit::step(Context& ray) {
@@ -79,7 +84,8 @@ bool TraverseUnit::retire(int context, Cycle limit) {
   hit_queue_.push(ray.ray, cycle_);
   hits_[ray.trace] = source_.hit(ray.ray);
   source_.done(ray.ray);
-  timing_[ray.trace] = {cycle_, static_cast<uint32_t>(cycle_ - ray.sent), ray.issue_slots, ray.misses};
+  timing_[ray.trace] = {cycle_, static_cast<uint32_t>(cycle_ - ray.sent),
+                        hits_[ray.trace].steps + ray.other_slots, ray.misses};
   ++counts_.rays;
   counts_.hits += hits_[ray.trace].status == HitStatus::kHit;
   counts_.resident_cycles += cycle_ - ray.entered;
@@ -95,7 +101,6 @@ bool TraverseUnit::fill_empty_slot() {
   if (l1_.replay_waiting()) {
     const int context = l1_.replay(cycle_);
     Context& ray = contexts_[static_cast<size_t>(context)];
-    ++ray.issue_slots;
     ++counts_.replays;
     step(ray);
     slots_[static_cast<size_t>(slot_)] = context;
@@ -103,7 +108,7 @@ bool TraverseUnit::fill_empty_slot() {
     return true;
   }
   if (l1_.retry_possible()) {
-    lookup(l1_.pop_retry());
+    issue(l1_.pop_retry());
     return true;
   }
   if (free_.empty()) return false;
@@ -117,15 +122,15 @@ bool TraverseUnit::fill_empty_slot() {
   Context& ray = contexts_[static_cast<size_t>(context)];
   ray.ray = next.ray;
   ray.trace = order_[next.ray];
-  ray.issue_slots = 0;
+  ray.other_slots = 0;
   ray.misses = 0;
   ray.sent = next.sent;
   ray.entered = cycle_;
   ray.steps = source_.steps(next.ray);
   if (ray.steps.next != ray.steps.end) {
-    lookup(context);
+    issue(context);
   } else {
-    ++ray.issue_slots;
+    ++ray.other_slots;
     ++counts_.dead_slots;
     watchdog_.last_progress = cycle_;
     slots_[static_cast<size_t>(slot_)] = context;

@@ -105,16 +105,17 @@ class TraverseUnit {
 
  private:
   struct Context {
-    RaySteps steps;  ///< still to do
-    uint32_t ray;    ///< position in the machine's order
-    uint32_t trace;  ///< position in the trace
-    uint32_t issue_slots;
+    RaySteps steps;        ///< still to do
+    uint32_t ray;          ///< position in the machine's order
+    uint32_t trace;        ///< position in the trace
+    uint32_t other_slots;  ///< issue slots without a step
     uint32_t misses;
     Cycle sent;
     Cycle entered;
   };
 
-  void lookup(int context);
+  void issue(int context);
+  void park(int context, HeightL1::Answer answer);
   void step(Context& ray);
   bool retire(int context, Cycle limit);
   bool fill_empty_slot();
