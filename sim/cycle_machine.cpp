@@ -82,7 +82,7 @@ class CycleMachine {
     return true;
   }
 
-  Outcome outcome(bool finished, CycleDetail* detail) {
+  Outcome outcome(bool finished, bool counters_only, CycleDetail* detail) {
     Cycle cycles = 0;
     for (auto& p : pipeline_)
       cycles = std::max({cycles, p->writer.counts().last_acknowledged + 1, p->traverse.cycle()});
@@ -93,6 +93,7 @@ class CycleMachine {
     result.hits = std::move(hits_);
     result.finished_rays = completed();
     count(result.measurements.counters, cycles);
+    if (counters_only) return result;
     std::vector<MemoryCost> memory(costs_.size());
     for (size_t k = 0; k < order_.size(); ++k) memory[order_[k]] = costs_[k];
     add_ray_measurements(work_, result.hits, timing_, memory, pipelines_ * cycles, result.measurements);
@@ -224,7 +225,7 @@ Outcome run_cycle_detailed(const Workload& work, const Architecture& architectur
                            const CycleHooks& hooks, CycleDetail* detail) {
   CycleMachine machine(work, architecture, hooks);
   const bool finished = machine.run(progress);
-  return machine.outcome(finished, detail);
+  return machine.outcome(finished, hooks.counters_only, detail);
 }
 
 Outcome run_cycle(const Workload& work, const Architecture& architecture, const Progress& progress) {

@@ -12,7 +12,8 @@ namespace cuesta {
 /// What tests turn that no architecture has.
 struct CycleHooks {
   const PortStalls* stalls = nullptr;  ///< back-pressure on the ports
-  bool reverse_construction = false;   ///< build the pipelines last to first: must change nothing
+  bool counters_only = false;  ///< no histograms, planes and digests: what a benchmark of the machine times
+  bool reverse_construction = false;  ///< build the pipelines last to first: must change nothing
 };
 
 /// Per ray, in the order of the trace.

@@ -10,7 +10,7 @@
 #include "sim/cycle_machine.h"
 
 // Steps per second of one core, fixed point, on a fractal map of 1024 x 1024 texels and 8 bits: functional (value
-// alone), and cycle (value, L1, DRAM, every unit in time). 512 x 512 rays: coherent (parallel, a tile's breadth) or
+// alone), cycle (value, L1, DRAM, every unit in time) and whole_run (also histograms, planes, digests). 512 x 512 rays: coherent (parallel, a tile's breadth) or
 // random in place and direction. `lanes`: 16 rays at a time (AVX-512); `scalar`: one at a time.
 
 namespace cuesta {
@@ -83,13 +83,16 @@ void functional(benchmark::State& state, const Algorithm& algorithm, bool cohere
   state.counters["steps/s"] = benchmark::Counter(static_cast<double>(steps), benchmark::Counter::kIsRate);
 }
 
-void cycle(benchmark::State& state, const Algorithm& algorithm, int size, bool coherent_rays) {
+void cycle(benchmark::State& state, const Algorithm& algorithm, int size, bool coherent_rays,
+           bool whole_run) {
   const Bench& b = bench(size);
   const Workload work = b.work(algorithm, coherent_rays);
   int64_t steps = 0;
   for (auto _ : state) {
-    const Outcome outcome = run_cycle(work, b.architecture);
-    steps += outcome.measurements.counters.get("machine.steps");
+    CycleHooks hooks;
+    hooks.counters_only = !whole_run;
+    const Outcome outcome = run_cycle_detailed(work, b.architecture, {}, hooks, nullptr);
+    steps += outcome.measurements.counters.get("traverse[0].slots_step");
   }
   state.counters["steps/s"] = benchmark::Counter(static_cast<double>(steps), benchmark::Counter::kIsRate);
 }
@@ -106,9 +109,11 @@ void add_all() {
           [&, coherent](benchmark::State& s) { functional(s, algorithm, coherent, true); });
       add("functional/scalar/" + rays,
           [&, coherent](benchmark::State& s) { functional(s, algorithm, coherent, false); });
-      add("cycle/1024/" + rays, [&, coherent](benchmark::State& s) { cycle(s, algorithm, 1024, coherent); });
+      add("cycle/1024/" + rays,
+          [&, coherent](benchmark::State& s) { cycle(s, algorithm, 1024, coherent, false); });
     }
-    add("cycle/256/coherent", [&](benchmark::State& s) { cycle(s, algorithm, 256, true); });
+    add("cycle/256/coherent", [&](benchmark::State& s) { cycle(s, algorithm, 256, true, false); });
+    add("whole_run/256/coherent", [&](benchmark::State& s) { cycle(s, algorithm, 256, true, true); });
   }
 }
 
