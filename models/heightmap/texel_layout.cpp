@@ -1,7 +1,6 @@
 #include "models/heightmap/texel_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <string>
 
@@ -10,22 +9,12 @@
 namespace cuesta {
 namespace {
 
-constexpr std::array<TexelLayoutEntry, 3> kLayouts = {{
-    {"row_major", TexelLayoutKind::kRowMajor, "Level after level, each row by row, levels 64-byte aligned."},
-    {"morton", TexelLayoutKind::kMorton, "Level after level, each in Morton order, levels 64-byte aligned."},
-    {"mip_atlas", TexelLayoutKind::kMipAtlas,
-     "One row-major image of 1.5 times the width: level 0 at the left, the others below each other at its "
-     "right."},
-}};
-
 constexpr int kMaxSide = 16384;
 
 }  // namespace
 
-std::span<const TexelLayoutEntry> texel_layouts() { return kLayouts; }
-
 std::string_view name_of(TexelLayoutKind kind) {
-  for (const TexelLayoutEntry& entry : kLayouts) {
+  for (const TexelLayoutEntry& entry : kTexelLayouts) {
     if (entry.kind == kind) return entry.name;
   }
   return "?";
@@ -52,6 +41,8 @@ TexelLayout::TexelLayout(TexelLayoutKind kind, int width, int height, int texel_
   }
   if (kind_ == TexelLayoutKind::kMipAtlas) {
     place_in_atlas();
+  } else if (kind_ == TexelLayoutKind::kKi2007Slices) {
+    place_in_slices();
   } else {
     place_level_after_level();
   }
@@ -65,8 +56,9 @@ void TexelLayout::place_level_after_level() {
     unsigned last_j = static_cast<unsigned>(level.height - 1);
     level.base = (end + kLevelAlignment - 1) / kLevelAlignment * kLevelAlignment;
     level.pitch = static_cast<uint32_t>(level.width);
+    if (kind_ == TexelLayoutKind::kBlocks4x4) level.pitch = static_cast<uint32_t>(level.width + 3) / 4 * 16;
     level.shared_bits = static_cast<int>(std::min(std::bit_width(last_i), std::bit_width(last_j)));
-    // Both orders grow with i and with j, so the last texel of a level is its far corner.
+    // All these orders grow with i and with j, so the last texel of a level is its far corner.
     end = offset(index, level.width - 1, level.height - 1) + static_cast<uint64_t>(texel_bytes());
   }
   size_bytes_ = end;
@@ -85,6 +77,27 @@ void TexelLayout::place_in_atlas() {
   }
   uint64_t rows = std::max(upper_rows, static_cast<uint64_t>(levels_[0].height));
   size_bytes_ = (rows * pitch) << texel_shift_;
+}
+
+void TexelLayout::place_in_slices() {
+  uint32_t pitch = static_cast<uint32_t>(levels_[0].width);
+  uint64_t upper_rows = 0;
+  for (int index = 2; index <= root_level(); ++index) {
+    upper_rows += static_cast<uint64_t>(levels_[index].height);
+  }
+  if (root_level() > 1) pitch = std::max(pitch, static_cast<uint32_t>(levels_[1].width + levels_[2].width));
+  const uint64_t slice = pitch * std::max(upper_rows, static_cast<uint64_t>(levels_[0].height));
+  uint64_t row = 0;
+  for (int index = 0; index <= root_level(); ++index) {
+    Level& level = levels_[index];
+    level.pitch = pitch;
+    if (index == 0) continue;
+    uint64_t texel = slice;
+    if (index > 1) texel += row * pitch + static_cast<uint64_t>(levels_[1].width);
+    if (index > 1) row += static_cast<uint64_t>(level.height);
+    level.base = texel << texel_shift_;
+  }
+  size_bytes_ = (2 * slice) << texel_shift_;
 }
 
 std::vector<std::byte> TexelLayout::write_image(const Pyramid& pyramid) const {

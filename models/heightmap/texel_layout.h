@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,7 +11,7 @@
 
 namespace cuesta {
 
-enum class TexelLayoutKind : uint8_t { kRowMajor, kMorton, kMipAtlas };
+enum class TexelLayoutKind : uint8_t { kRowMajor, kMorton, kMipAtlas, kBlocks4x4, kKi2007Slices };
 
 /// A layout's name in configuration files, and what it means in one sentence.
 struct TexelLayoutEntry {
@@ -19,8 +20,19 @@ struct TexelLayoutEntry {
   std::string_view meaning;
 };
 
-/// All layouts: `row_major` first.
-std::span<const TexelLayoutEntry> texel_layouts();
+/// All layouts, in the order of TexelLayoutKind: `row_major` first.
+inline constexpr std::array<TexelLayoutEntry, 5> kTexelLayouts = {{
+    {"row_major", TexelLayoutKind::kRowMajor, "Level after level, each row by row, levels 64-byte aligned."},
+    {"morton", TexelLayoutKind::kMorton, "Level after level, each in Morton order, levels 64-byte aligned."},
+    {"mip_atlas", TexelLayoutKind::kMipAtlas,
+     "One row-major image of 1.5 times the width: level 0 at the left, the others below each other at its "
+     "right."},
+    {"blocks_4x4", TexelLayoutKind::kBlocks4x4,
+     "Level after level, each in rows of blocks of 4 x 4 texels, levels 64-byte aligned."},
+    {"ki2007_slices", TexelLayoutKind::kKi2007Slices,
+     "A 3-D texture n x n x 2 (Ki & Oh 2007): slice 0 level 0, slice 1 the others as a mip atlas."},
+}};
+inline std::span<const TexelLayoutEntry> texel_layouts() { return kTexelLayouts; }
 std::string_view name_of(TexelLayoutKind kind);
 
 /// Where each pyramid texel lies in the machine's memory: the one byte image used by address counts, cache
@@ -38,6 +50,15 @@ std::string_view name_of(TexelLayoutKind kind);
 ///   below each other at its right. Its rows are max(height, the sum of the upper levels' heights). Levels
 ///   begin where they fall, not on multiples of 64 bytes. A square power of two takes 1.5 times level 0, of
 ///   which 1/9 is never read.
+/// - blocks_4x4: level after level, as row_major, each in rows of 4 x 4 blocks: a block's 16 texels follow
+///   each other row by row. A level whose sides are not multiples of 4 has full blocks at its right and lower
+///   edge, with holes; it ends at its last texel. A block of bytes is 16 bytes, of 16-bit texels 32.
+/// - ki2007_slices: a 3-D texture n x n x 2 after Ki & Oh 2007, stored slice after slice, each row by row.
+///   Slice 0 is level 0; slice 1 holds level 1 at the left and levels 2, 3 ... below each other at its right.
+///   Printed are the two slices and what is in them; the places inside slice 1 are reconstructed. Sizes that
+///   are no square powers of two are ours: a slice is max(width, level 1's + level 2's width) across and has
+///   max(height, the heights of levels 2, 3 ... summed) rows. A square power of two takes 2 times level 0, of
+///   which 1/3 is never read.
 class TexelLayout {
  public:
   static constexpr uint64_t kLevelAlignment = 64;  ///< bytes
@@ -58,6 +79,8 @@ class TexelLayout {
       uint32_t low = (1u << shape.shared_bits) - 1;
       uint64_t high = (x | y) >> shape.shared_bits;  // at most one axis has bits here
       texel = (high << (2 * shape.shared_bits)) | interleave(x & low, y & low);
+    } else if (kind_ == TexelLayoutKind::kBlocks4x4) {
+      texel = uint64_t{y >> 2} * shape.pitch + (((x >> 2) << 4) | ((y & 3) << 2) | (x & 3));
     } else {
       texel = uint64_t{y} * shape.pitch + x;
     }
@@ -77,7 +100,7 @@ class TexelLayout {
  private:
   struct Level {
     uint64_t base = 0;    ///< bytes
-    uint32_t pitch = 0;   ///< texels from row to row (row_major, mip_atlas)
+    uint32_t pitch = 0;   ///< texels from row to row (row_major, the atlases), from block row to block row
     int shared_bits = 0;  ///< bits that interleave (morton)
     int width = 0;
     int height = 0;
@@ -95,6 +118,7 @@ class TexelLayout {
 
   void place_level_after_level();
   void place_in_atlas();
+  void place_in_slices();
 
   TexelLayoutKind kind_;
   int texel_shift_;

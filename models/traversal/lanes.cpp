@@ -83,12 +83,14 @@ class LaneTraversal {
     }
     if (recorder != nullptr) {
       scratch_.resize(2 * kLanes * capacity_);
+      blocks_ = recorder->layout->kind() == TexelLayoutKind::kBlocks4x4;
+      const int rows = blocks_ ? 4 : 1;
       for (int level = 0; level <= pyramid.root_level(); ++level) {
         const auto l = static_cast<size_t>(level);
         line_base_.at(l) = static_cast<int64_t>(recorder->layout->offset(level, 0, 0));
         line_pitch_.at(l) =
-            pyramid.height(level) > 1
-                ? static_cast<int64_t>(recorder->layout->offset(level, 0, 1)) - line_base_.at(l)
+            pyramid.height(level) > rows
+                ? static_cast<int64_t>(recorder->layout->offset(level, 0, rows)) - line_base_.at(l)
                 : 0;
       }
       texel_shift_ = recorder->layout->texel_bytes() == 1 ? 0 : recorder->layout->texel_bytes() == 2 ? 1 : 2;
@@ -166,6 +168,13 @@ class LaneTraversal {
     if (_mm512_mask_cmpge_epi64_mask(group.active, steps,
                                      _mm512_set1_epi64(static_cast<int64_t>(capacity_)))) {
       grow_scratch();
+    }
+    if (blocks_) {  // the place in a row of blocks, and which row of blocks
+      const __m512i low = _mm512_set1_epi64(3);
+      const __m512i inside =
+          _mm512_or_epi64(_mm512_slli_epi64(_mm512_and_epi64(y, low), 2), _mm512_and_epi64(x, low));
+      x = _mm512_or_epi64(_mm512_slli_epi64(_mm512_srli_epi64(x, 2), 4), inside);
+      y = _mm512_srli_epi64(y, 2);
     }
     const __m512i zero = _mm512_setzero_si512();
     const __m512i base = _mm512_mask_i64gather_epi64(zero, group.active, level, line_base_.data(), 8);
@@ -358,7 +367,8 @@ class LaneTraversal {
   const uint16_t* texels_;
   std::array<int64_t, 32> first_{};       ///< texels before each level
   std::array<int64_t, 32> line_base_{};   ///< bytes
-  std::array<int64_t, 32> line_pitch_{};  ///< bytes from row to row
+  std::array<int64_t, 32> line_pitch_{};  ///< bytes from row to row, or from row of blocks to row of blocks
+  bool blocks_ = false;                   ///< the layout is blocks_4x4
   int texel_shift_ = 0;
   size_t capacity_ = 256;          ///< steps of a lane in scratch_
   std::vector<uint32_t> scratch_;  ///< lines of the rays under way

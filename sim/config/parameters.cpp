@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/common/words.h"
+#include "models/heightmap/texel_layout.h"
 
 namespace cuesta {
 namespace {
@@ -17,7 +18,11 @@ constexpr auto kTime = ParameterUse::kTime;
 constexpr std::string_view kOrders[] = {"scanline", "tile", "morton", "hilbert"};
 constexpr std::string_view kAssigns[] = {"first_free", "interleave"};
 constexpr std::string_view kArithmetics[] = {"fixed", "float", "double"};
-constexpr std::string_view kLayouts[] = {"row_major", "morton", "mip_atlas"};
+constexpr auto kLayouts = [] {
+  std::array<std::string_view, kTexelLayouts.size()> names;
+  for (size_t k = 0; k < names.size(); ++k) names[k] = kTexelLayouts[k].name;
+  return names;
+}();
 
 template <auto Section, auto Member>
 struct Bound {

@@ -59,7 +59,7 @@ Architecture random_architecture(Random& random) {
   a.dram.clock_den = random.chance(0.3) ? a.dram.clock_num : static_cast<int>(random.between(1, 6));
   a.dram.request_latency_cycles = skewed(random, 1, 25);
   a.dram.response_latency_cycles = skewed(random, 1, 25);
-  a.texels.layout = static_cast<TexelLayoutKind>(random.below(3));
+  a.texels.layout = static_cast<TexelLayoutKind>(random.below(kTexelLayouts.size()));
   return a;
 }
 

@@ -47,7 +47,7 @@ TEST(TexelLayout, IsInjectiveAlignedAndInsideTheImageForAnySize) {
                                                       << " node " << level << ", " << i << ", " << j;
             }
           }
-          if (entry.kind != TexelLayoutKind::kMipAtlas) {
+          if (entry.kind != TexelLayoutKind::kMipAtlas && entry.kind != TexelLayoutKind::kKi2007Slices) {
             ASSERT_EQ(layout.offset(level, 0, 0) % 64, 0u);
           }
           if (w == 1 && h == 1) break;
@@ -102,6 +102,54 @@ TEST(TexelLayout, MipAtlasBytesOfAFourByFourMapAreThoseWorkedByHand) {
                                9,  10, 11, 12, 16, 0,   //
                                13, 14, 15, 16, 0,  0};
   EXPECT_EQ(bytes_of(layout.write_image(pyramid)), expected);
+}
+
+TEST(TexelLayout, BlockBytesOfAMapWhoseSidesAreNoMultiplesOfFourAreThoseWorkedByHand) {
+  // 5 x 6 texels 1..30: two blocks across, two down; level 1 is 3 x 3 in one block, level 2 2 x 2.
+  Pyramid pyramid = build_max_pyramid(numbered_grid(5, 6, 8));
+  TexelLayout layout(TexelLayoutKind::kBlocks4x4, pyramid);
+  std::vector<int> image = bytes_of(layout.write_image(pyramid));
+  std::vector<int> level_0 = {1,  2,  3,  4,  6,  7,  8,  9,  11, 12, 13, 14, 16, 17, 18, 19,  //
+                              5,  0,  0,  0,  10, 0,  0,  0,  15, 0,  0,  0,  20, 0,  0,  0,   //
+                              21, 22, 23, 24, 26, 27, 28, 29, 0,  0,  0,  0,  0,  0,  0,  0,   //
+                              25, 0,  0,  0,  30};
+  EXPECT_EQ(std::vector<int>(image.begin(), image.begin() + 53), level_0);
+  EXPECT_EQ(std::vector<int>(image.begin() + 64, image.begin() + 75),
+            (std::vector<int>{7, 9, 10, 0, 17, 19, 20, 0, 27, 29, 30}));
+  EXPECT_EQ(std::vector<int>(image.begin() + 128, image.begin() + 134),
+            (std::vector<int>{19, 20, 0, 0, 29, 30}));
+  ASSERT_EQ(image.size(), 193u);
+  EXPECT_EQ(image[192], 30);
+}
+
+TEST(TexelLayout, SixteenTexelsOfABlockLieInOneLineOfTheirSize) {
+  for (int texel_bytes : {1, 2, 4}) {
+    TexelLayout layout(TexelLayoutKind::kBlocks4x4, 40, 36, texel_bytes);
+    const uint64_t block = 16 * static_cast<uint64_t>(texel_bytes);
+    for (int j = 0; j < 36; ++j) {
+      for (int i = 0; i < 40; ++i) {
+        ASSERT_EQ(layout.offset(0, i, j) / block, static_cast<uint64_t>(j / 4 * 10 + i / 4));
+      }
+    }
+  }
+}
+
+TEST(TexelLayout, KiAndOhsSlicesOfAFourByFourMapAreThoseWorkedByHand) {
+  Pyramid pyramid = build_max_pyramid(numbered_grid(4, 4, 8));
+  TexelLayout layout(TexelLayoutKind::kKi2007Slices, pyramid);
+  std::vector<int> expected = {1,  2,  3,  4,   //
+                               5,  6,  7,  8,   //
+                               9,  10, 11, 12,  //
+                               13, 14, 15, 16,  //
+                               6,  8,  16, 0,   //
+                               14, 16, 0,  0,   //
+                               0,  0,  0,  0,   //
+                               0,  0,  0,  0};
+  EXPECT_EQ(bytes_of(layout.write_image(pyramid)), expected);
+  for (int side = 1; side <= 16384; side *= 2) {
+    EXPECT_EQ(TexelLayout(TexelLayoutKind::kKi2007Slices, side, side, 1).size_bytes(),
+              2 * static_cast<uint64_t>(side) * static_cast<uint64_t>(side));
+  }
 }
 
 TEST(TexelLayout, SquarePowersOfTwoTakeFourThirdsOrOneAndAHalfOfLevelZero) {

@@ -93,16 +93,24 @@ void expect_equal(const Bench& bench, TexelLayoutKind kind) {
 TEST(TraverseLanes, GiveTheRecordsAndLinesOfOneRayAtATimeOverTiles) {
   expect_equal(bench(64, 8, AddressMode::kWrap, 1000), TexelLayoutKind::kRowMajor);
   expect_equal(bench(64, 16, AddressMode::kWrap, 1000), TexelLayoutKind::kMipAtlas);
+  expect_equal(bench(64, 8, AddressMode::kWrap, 1000), TexelLayoutKind::kBlocks4x4);
+  expect_equal(bench(64, 16, AddressMode::kWrap, 1000), TexelLayoutKind::kKi2007Slices);
 }
 
 TEST(TraverseLanes, GiveTheRecordsAndLinesOfOneRayAtATimeInABorderedMap) {
   expect_equal(bench(256, 8, AddressMode::kBorder, 400), TexelLayoutKind::kMipAtlas);
   expect_equal(bench(128, 16, AddressMode::kBorder, 400), TexelLayoutKind::kRowMajor);
+  expect_equal(bench(128, 16, AddressMode::kBorder, 400), TexelLayoutKind::kBlocks4x4);
+  expect_equal(bench(256, 8, AddressMode::kBorder, 400), TexelLayoutKind::kKi2007Slices);
 }
 
 TEST(TraverseLanes, HandleMapsOfOneAndFourTexels) {
   expect_equal(bench(1, 8, AddressMode::kWrap, 300), TexelLayoutKind::kRowMajor);
   expect_equal(bench(2, 16, AddressMode::kBorder, 300), TexelLayoutKind::kMipAtlas);
+  for (int side : {1, 2, 4}) {
+    expect_equal(bench(side, 8, AddressMode::kWrap, 300), TexelLayoutKind::kBlocks4x4);
+    expect_equal(bench(side, 8, AddressMode::kWrap, 300), TexelLayoutKind::kKi2007Slices);
+  }
 }
 
 TEST(TraverseLanes, TakeAnyNumberOfRays) {
