@@ -65,6 +65,12 @@ void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Archite
 
 RunEntry Measurer::run(const Algorithm& algorithm, const Architecture& architecture, Fidelity fidelity,
                        const Progress& progress) {
+  if (algorithm.schedule.down == kDownCommon || algorithm.schedule.stop_level > 0 ||
+      algorithm.schedule.fetch != FetchRule::kTexel) {
+    throw usage_error("Algorithm " + algorithm.id +
+                      ": common, stop and quad are not available in this version; accepted are schedules "
+                      "without them.");
+  }
   Workload work;
   work.pyramid = &job_.pyramid;
   work.map = job_.map;

@@ -16,7 +16,9 @@ class CompareCommand : public Command {
   void declare(CLI::App& app) override {
     app.add_option("scenes", scenes_,
                    "Scene files, or names of built-in scenes; `default` with --heightmap alone");
-    app.add_option("--algorithm", algorithms_, "Several, joined by commas; default: all")
+    app.add_option("--algorithm", algorithms_,
+                   "Several, joined by commas: names out of `cuesta list algorithms`, schedules such as "
+                   "root:common:never:quad, all (default), parts, all+parts")
         ->allow_extra_args(false);
     app.add_option("--arch", architectures_,
                    "Presets or architecture files, joined by commas; default: mobile")

@@ -33,15 +33,42 @@ void print_rows(const Rows& rows) {
   }
 }
 
+void add_algorithm_rows(std::span<const Algorithm> algorithms, Rows& rows) {
+  for (const Algorithm& a : algorithms) {
+    const bool leaf = a.schedule.start == StartRule::kLeaf;
+    rows.push_back({a.id, std::string(name_of(a.schedule.start)),
+                    leaf ? "-" : std::string(name_of_down(a.schedule.down)),
+                    std::string(name_of(a.schedule.up)), a.source, a.meaning});
+  }
+}
+
 void list_algorithms() {
   Rows rows = {{"id", "start", "down", "up", "source", "meaning"}};
-  for (const Algorithm& a : algorithms()) {
-    const bool leaf = a.schedule.start == StartRule::kLeaf;
-    rows.push_back({std::string(a.id), std::string(name_of(a.schedule.start)),
-                    leaf ? "-" : std::to_string(a.schedule.down), std::string(name_of(a.schedule.up)),
-                    std::string(a.source), std::string(a.meaning)});
-  }
+  add_algorithm_rows(algorithms(), rows);
   print_rows(rows);
+  std::printf(
+      "\nParts of yun2013 and yun2013-coherent, each alone (`parts`; `all+parts` are these and the "
+      "above):\n");
+  rows = {{"id", "start", "down", "up", "source", "meaning"}};
+  add_algorithm_rows(algorithm_parts(), rows);
+  print_rows(rows);
+  std::printf("\nA schedule of your own, wherever an algorithm is accepted: %s.\n",
+              std::string(kScheduleSyntax).c_str());
+  const std::string stop = "stop=0 to stop=" + std::to_string(kMostStopLevel);
+  rows = {
+      {"choice", "accepted", "meaning"},
+      {"START", joined(start_names()),
+       "the root; the leaves (the stop level); the smallest node that holds the ray's start and end cell"},
+      {"DOWN", joined(down_names()),
+       "levels per descent until the first crossing, then 1; common: to the smallest node that holds the "
+       "ray's "
+       "cell and its end cell"},
+      {"UP", joined(up_names()), "when a ray that has crossed goes up one level"},
+      {"stop=N", stop, "level of the leaves; above 0 they are the texels of the mean pyramid"},
+      {"quad", joined(fetch_names()),
+       "a visit fetches its texel, or its 2 x 2 siblings, which the ray keeps"}};
+  print_rows(rows);
+  std::printf("Examples: root:common:never, span:2:even-axis:stop=2, yun2013:quad.\n");
 }
 
 void list_scenes() {

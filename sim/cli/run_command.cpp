@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "sim/cli/progress.h"
@@ -10,12 +11,21 @@
 namespace cuesta {
 namespace {
 
+/// "root:2:never:stop=1" without what shells and other systems read otherwise.
+std::string folder_name(std::string id) {
+  std::erase(id, '=');
+  std::replace(id.begin(), id.end(), ':', '-');
+  return id;
+}
+
 class RunCommand : public Command {
  public:
   void declare(CLI::App& app) override {
     app.add_option("scene", scene_,
                    "Scene file, or the name of a built-in scene; `default` with --heightmap alone");
-    app.add_option("--algorithm", algorithm_, "One out of `cuesta list algorithms`")->capture_default_str();
+    app.add_option("--algorithm", algorithm_,
+                   "One out of `cuesta list algorithms`, or a schedule such as root:common:never:quad")
+        ->capture_default_str();
     app.add_option("--arch", architecture_, "Preset or architecture file")->capture_default_str();
     options_.declare(app);
   }
@@ -34,7 +44,7 @@ class RunCommand : public Command {
     const SceneChanges changes = scene_changes(options_);
     Result result = begin_result("run", session);
     ResultFolder folder = open_result_folder(
-        options_, changed_scene(scene, changes).name + "-" + std::string(algorithms[0].id));
+        options_, changed_scene(scene, changes).name + "-" + folder_name(algorithms[0].id));
     const Job job = prepare_job(scene, changes);
     add_inputs(job, result);
     add_inputs(machines, result);
@@ -42,7 +52,7 @@ class RunCommand : public Command {
 
     Measurer measurer(job);
     {
-      ProgressBar bar(session, std::string(algorithms[0].id), "rays", job.trace.rays.size());
+      ProgressBar bar(session, algorithms[0].id, "rays", job.trace.rays.size());
       result.runs.push_back(measurer.run(algorithms[0], machines[0].architecture, fidelity,
                                          [&](uint64_t finished, uint64_t) { return bar.update(finished); }));
     }

@@ -100,24 +100,22 @@ std::vector<std::string> split_at_commas(const std::vector<std::string>& texts) 
 }
 
 std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names) {
-  const std::vector<std::string> parts = split_at_commas(names);
-  const auto all = algorithms();
-  if (parts.empty() || (parts.size() == 1 && parts[0] == "all")) return {all.begin(), all.end()};
+  std::vector<std::string> parts = split_at_commas(names);
+  if (parts.empty()) parts.emplace_back("all");
   std::vector<Algorithm> found;
-  for (const std::string& name : parts) {
-    const Algorithm* algorithm = find_algorithm(name);
-    if (!algorithm) {
-      std::vector<std::string_view> ids;
-      for (const Algorithm& known : all) ids.push_back(known.id);
-      const std::string near = did_you_mean(name, ids);
-      throw usage_error("There is no algorithm `" + printable(name) + "`; accepted are " + joined(ids) +
-                        (near.empty() ? "." : near));
-    }
+  const auto add = [&](const Algorithm& algorithm) {
     for (const Algorithm& earlier : found) {
-      if (earlier.id == algorithm->id)
-        throw usage_error("Algorithm " + name + " is given twice; accepted is once.");
+      if (earlier.id == algorithm.id)
+        throw usage_error("Algorithm " + algorithm.id + " is given twice; accepted is once.");
     }
-    found.push_back(*algorithm);
+    found.push_back(algorithm);
+  };
+  for (const std::string& name : parts) {
+    const bool all = name == "all" || name == "all+parts",
+               with_parts = name == "parts" || name == "all+parts";
+    if (all) std::ranges::for_each(algorithms(), add);
+    if (with_parts) std::ranges::for_each(algorithm_parts(), add);
+    if (!all && !with_parts) add(parse_algorithm(name));
   }
   return found;
 }

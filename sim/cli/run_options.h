@@ -33,8 +33,9 @@ void check_host(const std::string& name);
 /// Throws usage_error for angles, depths, sizes and crops out of range.
 SceneChanges scene_changes(const RunOptions& options);
 
-/// Names to algorithms, in order; names may be joined by commas; "all" or nothing: every one. Throws usage_error
-/// for an unknown or repeated name.
+/// Names to algorithms, in order; names may be joined by commas. "all" or nothing: every published one; "parts":
+/// yun2013's parts, each alone; "all+parts"; else as parse_algorithm. Throws usage_error for an unknown or repeated
+/// one.
 std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names);
 
 /// Names or files to machines, in order; joined by commas as well. Throws usage_error as resolve_architecture does,

@@ -99,7 +99,7 @@ void cycle(benchmark::State& state, const Algorithm& algorithm, int size, bool c
 
 void add_all() {
   for (const Algorithm& algorithm : algorithms()) {
-    const std::string id(algorithm.id);
+    const std::string& id = algorithm.id;
     auto add = [&](const std::string& name, auto&& body) {
       benchmark::RegisterBenchmark((name + "/" + id).c_str(), body)->Unit(benchmark::kMillisecond);
     };
