@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "models/dispatch/dispatch_order.h"
-#include "models/dispatch/ray_dispatch.h"
 #include "models/memory/dram.h"
 #include "models/memory/height_l1.h"
 #include "models/output/hit_queue.h"
@@ -19,152 +18,233 @@ namespace {
 
 constexpr Cycle kCyclesPerReport = 1 << 20;
 
-/// The machine: instances and bindings.
-class CycleMachine {
- public:
-  CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks)
-      : work_(work),
-        architecture_(architecture),
-        layout_(architecture.texels.layout, *work.pyramid),
-        order_(dispatch_order(work.pixel_of_ray, work.width, architecture.ray_dispatch.order,
-                              architecture.ray_dispatch.tile_size)),
-        source_(make_traversal_source(work, architecture, layout_, order_)),
-        pipelines_(architecture.machine.pipelines),
-        windows_(pipelines_ > 1 || hooks.stalls != nullptr),
-        costs_(work.rays.size()),
-        timing_(work.rays.size()),
-        hits_(work.rays.size()),
-        dram_(architecture.dram,
-              std::max(architecture.height_l1.line_bytes, architecture.result_writer.burst_bytes)),
-        memory_(dram_, architecture.dram.request_latency_cycles, !windows_, costs_),
-        dispatch_(architecture.ray_dispatch, pipelines_, static_cast<uint32_t>(work.rays.size()), targets(),
-                  hooks.stalls) {
-    for (size_t k = 0; k < hits_.size(); ++k) {
-      hits_[k].ray_id = work.rays[k].id;
-      hits_[k].status = HitStatus::kDidNotFinish;
-    }
-    watchdog_.limit = architecture.machine.no_progress_cycles;
-    const uint64_t stripe = dram_.stripe_bytes();
-    const uint64_t write_base = (layout_.size_bytes() + stripe - 1) / stripe * stripe;
-    pipeline_.resize(static_cast<size_t>(pipelines_));
-    for (int n = 0; n < pipelines_; ++n) {
-      const int p = hooks.reverse_construction ? pipelines_ - 1 - n : n;
-      pipeline_[static_cast<size_t>(p)] = std::make_unique<Pipeline>(*this, p, write_base, hooks.stalls);
-    }
-    if (!windows_) memory_.set_writer(&pipeline_[0]->writer);
-  }
+Workload without_rays(Workload work) {
+  work.rays = {};
+  work.pixel_of_ray = {};
+  return work;
+}
 
-  /// False: ended early by `progress`.
-  bool run(const Progress& progress) {
-    const DramParameters& dram = architecture_.dram;
-    const Cycle window = windows_
-                             ? std::min<Cycle>(architecture_.ray_dispatch.credit_latency_cycles,
-                                               dram.request_latency_cycles + dram.response_latency_cycles)
-                             : kCyclesPerReport;
-    Cycle report_at = kCyclesPerReport;
-    for (Cycle end = window; !done(); end += window) {
-      dispatch_.set_horizon(windows_ ? end : kNever);
-      dispatch_.advance();
-      for (auto& p : pipeline_) {
-        p->traverse.advance(end);
-        if (p->traverse.finished()) {
-          p->writer.finish(dispatch_.last_sent() + architecture_.ray_dispatch.latency_cycles);
-        }
-        p->writer.advance(windows_ || !p->traverse.finished() ? end : kNever);
-      }
-      memory_.serve_until(end);
-      if (end >= report_at) {
-        report_at += kCyclesPerReport;
-        if (progress && !progress(completed(), work_.rays.size())) return false;
-      }
-    }
-    if (progress) progress(completed(), work_.rays.size());
-    return true;
-  }
+int granule_bytes(const Architecture& architecture) {
+  return std::max(architecture.height_l1.line_bytes, architecture.result_writer.burst_bytes);
+}
 
-  Outcome outcome(bool finished, bool counters_only, CycleDetail* detail) {
-    Cycle cycles = 0;
-    for (auto& p : pipeline_)
-      cycles = std::max({cycles, p->writer.counts().last_acknowledged + 1, p->traverse.cycle()});
-    if (work_.rays.empty()) cycles = 0;
-    for (auto& p : pipeline_) p->traverse.drain_until(cycles);
+}  // namespace
 
-    Outcome result;
-    result.hits = std::move(hits_);
-    result.finished_rays = completed();
-    count(result.measurements.counters, cycles);
-    if (counters_only) return result;
-    std::vector<MemoryCost> memory(costs_.size());
-    for (size_t k = 0; k < order_.size(); ++k) memory[order_[k]] = costs_[k];
-    add_ray_measurements(work_, result.hits, timing_, memory, pipelines_ * cycles, result.measurements);
-    seal(work_, finished, result);
-    if (detail != nullptr) {
-      detail->timing = std::move(timing_);
-      detail->memory = std::move(memory);
-    }
-    return result;
-  }
+struct CycleMachine::Pipeline {
+  Pipeline(CycleMachine& m, int p, uint64_t write_base, const PortStalls* stalls)
+      : hit_queue(m.architecture_.hit_queue.depth),
+        writer(m.architecture_.result_writer, write_base, m.pipelines_, p, hit_queue, m.memory_, stalls),
+        l1(m.architecture_.height_l1, m.architecture_.traverse.contexts, m.layout_.size_bytes(), p, m.memory_,
+           stalls),
+        setup(m.architecture_.ray_setup, m.architecture_.ray_dispatch, p, m.dispatch_, stalls),
+        traverse(m.architecture_.traverse, *m.source_, m.order_, p, m.dispatch_, setup, l1, hit_queue, writer,
+                 m.hits_, m.timing_, m.watchdog_, stalls) {}
 
- private:
-  struct Pipeline {
-    Pipeline(CycleMachine& m, int p, uint64_t write_base, const PortStalls* stalls)
-        : hit_queue(m.architecture_.hit_queue.depth),
-          writer(m.architecture_.result_writer, write_base, m.pipelines_, p, hit_queue, m.memory_, stalls),
-          l1(m.architecture_.height_l1, m.architecture_.traverse.contexts, m.layout_.size_bytes(), p,
-             m.memory_, stalls),
-          setup(m.architecture_.ray_setup, m.architecture_.ray_dispatch, p, m.dispatch_, stalls),
-          traverse(m.architecture_.traverse, *m.source_, m.order_, p, m.dispatch_, setup, l1, hit_queue,
-                   writer, m.hits_, m.timing_, m.watchdog_, stalls) {}
-
-    HitQueue hit_queue;
-    ResultWriter writer;
-    HeightL1 l1;
-    RaySetupUnit setup;
-    TraverseUnit traverse;
-  };
-
-  std::vector<uint16_t> targets() const {
-    if (architecture_.ray_dispatch.assign == DispatchAssign::kFirstFree) return {};
-    std::vector<uint16_t> targets(order_.size());
-    for (size_t k = 0; k < order_.size(); ++k) {
-      targets[k] = static_cast<uint16_t>(
-          tile_number(work_.pixel_of_ray[order_[k]], work_.width, architecture_.ray_dispatch.tile_size) %
-          static_cast<uint32_t>(pipelines_));
-    }
-    return targets;
-  }
-
-  bool done() const {
-    return std::all_of(pipeline_.begin(), pipeline_.end(),
-                       [](const auto& p) { return p->traverse.finished() && p->writer.idle(); });
-  }
-
-  uint64_t completed() const {
-    uint64_t rays = 0;
-    for (auto& p : pipeline_) rays += static_cast<uint64_t>(p->traverse.counts().rays);
-    return rays;
-  }
-
-  void count(Counters& counters, Cycle cycles) const;
-
-  const Workload& work_;
-  const Architecture& architecture_;
-  TexelLayout layout_;
-  std::vector<uint32_t> order_;
-  std::unique_ptr<StepSource> source_;
-  int pipelines_;
-  bool windows_;  ///< pipelines advance in turn, a window at a time
-  std::vector<MemoryCost> costs_;
-  std::vector<RayTiming> timing_;
-  std::vector<HitRecord> hits_;
-  Watchdog watchdog_;
-  Dram dram_;
-  MemoryPort memory_;
-  RayDispatch dispatch_;
-  std::vector<std::unique_ptr<Pipeline>> pipeline_;
+  HitQueue hit_queue;
+  ResultWriter writer;
+  HeightL1 l1;
+  RaySetupUnit setup;
+  TraverseUnit traverse;
 };
 
-void CycleMachine::count(Counters& counters, Cycle cycles) const {
+CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks)
+    : CycleMachine(work, architecture, hooks, nullptr) {}
+
+CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, OutsideMemory& memory)
+    : CycleMachine(without_rays(work), architecture, {}, &memory) {}
+
+CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks,
+                           OutsideMemory* outside)
+    : work_(work),
+      architecture_(architecture),
+      layout_(architecture.texels.layout, *work.pyramid),
+      order_(dispatch_order(work.pixel_of_ray, work.width, architecture.ray_dispatch.order,
+                            architecture.ray_dispatch.tile_size)),
+      source_(make_traversal_source(work_, architecture, layout_, order_)),
+      pipelines_(architecture.machine.pipelines),
+      hosted_(outside != nullptr),
+      at_once_(pipelines_ == 1 && hooks.stalls == nullptr && !hosted_),
+      window_(architecture.dram.request_latency_cycles + architecture.dram.response_latency_cycles),
+      step_(at_once_ || (pipelines_ == 1 && hosted_)
+                ? kNever
+                : std::min<Cycle>(architecture.ray_dispatch.credit_latency_cycles, window_)),
+      costs_(work.rays.size()),
+      timing_(work.rays.size()),
+      hits_(work.rays.size()),
+      dram_(hosted_ ? nullptr : std::make_unique<Dram>(architecture.dram, granule_bytes(architecture))),
+      memory_(hosted_ ? MemoryPort(*outside, costs_)
+                      : MemoryPort(*dram_, architecture.dram.request_latency_cycles, at_once_, costs_)),
+      dispatch_(architecture.ray_dispatch, pipelines_, static_cast<uint32_t>(work.rays.size()), targets(),
+                hooks.stalls) {
+  for (size_t k = 0; k < hits_.size(); ++k) {
+    hits_[k].ray_id = work.rays[k].id;
+    hits_[k].status = HitStatus::kDidNotFinish;
+  }
+  if (hosted_) dispatch_.open();
+  watchdog_.limit = architecture.machine.no_progress_cycles;
+  const uint64_t stripe = Dram(architecture.dram, granule_bytes(architecture)).stripe_bytes();
+  const uint64_t write_base = (layout_.size_bytes() + stripe - 1) / stripe * stripe;
+  pipeline_.resize(static_cast<size_t>(pipelines_));
+  for (int n = 0; n < pipelines_; ++n) {
+    const int p = hooks.reverse_construction ? pipelines_ - 1 - n : n;
+    pipeline_[static_cast<size_t>(p)] = std::make_unique<Pipeline>(*this, p, write_base, hooks.stalls);
+  }
+  if (at_once_) memory_.set_writer(&pipeline_[0]->writer);
+}
+
+CycleMachine::~CycleMachine() = default;
+
+uint16_t CycleMachine::target_of(uint32_t pixel) const {
+  return static_cast<uint16_t>(tile_number(pixel, work_.width, architecture_.ray_dispatch.tile_size) %
+                               static_cast<uint32_t>(pipelines_));
+}
+
+std::vector<uint16_t> CycleMachine::targets() const {
+  if (architecture_.ray_dispatch.assign == DispatchAssign::kFirstFree) return {};
+  std::vector<uint16_t> targets(order_.size());
+  for (size_t k = 0; k < order_.size(); ++k) targets[k] = target_of(work_.pixel_of_ray[order_[k]]);
+  return targets;
+}
+
+void CycleMachine::ray_arrives(const MachineRay& ray, uint32_t pixel, Cycle cycle) {
+  const auto number = static_cast<uint32_t>(order_.size());
+  arrived_.push_back(ray);
+  arrived_pixel_.push_back(pixel);
+  work_.rays = arrived_;
+  work_.pixel_of_ray = arrived_pixel_;
+  order_.push_back(number);
+  source_->set_rays(number + 1);
+  costs_.emplace_back();
+  timing_.emplace_back();
+  HitRecord& hit = hits_.emplace_back();
+  hit.ray_id = ray.id;
+  hit.status = HitStatus::kDidNotFinish;
+  dispatch_.arrive(cycle, target_of(pixel));
+  watchdog_.last_progress = std::max(watchdog_.last_progress, cycle);
+}
+
+void CycleMachine::end_of_rays(Cycle cycle) { dispatch_.close(cycle); }
+
+void CycleMachine::hold_hits_until(Cycle cycle) {
+  for (auto& p : pipeline_) p->traverse.hold_hits_until(cycle);
+}
+
+void CycleMachine::log_completions(std::vector<std::vector<uint32_t>>& rays) {
+  rays.resize(pipeline_.size());
+  for (size_t p = 0; p < pipeline_.size(); ++p) pipeline_[p]->traverse.log_completions(&rays[p]);
+}
+
+void CycleMachine::advance(Cycle end) {
+  if (hosted_) memory_.deliver_until(end);
+  while (now_ < end) {
+    now_ = std::min(end, now_ + step_);
+    dispatch_.set_horizon(step_ == kNever ? kNever : now_);
+    dispatch_.advance();
+    for (auto& p : pipeline_) {
+      p->traverse.advance(now_);
+      if (p->traverse.finished()) {
+        p->writer.finish(dispatch_.last_sent() + architecture_.ray_dispatch.latency_cycles);
+      }
+      p->writer.advance(at_once_ && p->traverse.finished() ? kNever : now_);
+    }
+    memory_.serve_until(now_);
+  }
+}
+
+bool CycleMachine::run(const Progress& progress) {
+  Cycle report_at = kCyclesPerReport;
+  for (Cycle end = 0; !done();) {
+    end += at_once_ ? kCyclesPerReport : step_;
+    advance(end);
+    if (end >= report_at) {
+      report_at += kCyclesPerReport;
+      if (progress && !progress(completed(), work_.rays.size())) return false;
+    }
+  }
+  if (progress) progress(completed(), work_.rays.size());
+  return true;
+}
+
+bool CycleMachine::done() const {
+  return std::all_of(pipeline_.begin(), pipeline_.end(),
+                     [](const auto& p) { return p->traverse.finished() && p->writer.idle(); });
+}
+
+bool CycleMachine::starved() const {
+  return memory_.in_flight() == 0 && std::all_of(pipeline_.begin(), pipeline_.end(), [](const auto& p) {
+           return p->traverse.starved() && p->writer.quiet();
+         });
+}
+
+uint64_t CycleMachine::completed() const {
+  uint64_t rays = 0;
+  for (auto& p : pipeline_) rays += static_cast<uint64_t>(p->traverse.counts().rays);
+  return rays;
+}
+
+std::string CycleMachine::who_waits() const {
+  std::string text;
+  for (auto& p : pipeline_) text += (text.empty() ? "" : "; ") + p->traverse.who_waits();
+  return text;
+}
+
+PipelineFill CycleMachine::fill(int pipeline) const {
+  const Pipeline& p = *pipeline_[static_cast<size_t>(pipeline)];
+  PipelineFill fill;
+  fill.rays_before_traverse = static_cast<int>(p.setup.queued() + p.setup.waiting());
+  fill.contexts = p.traverse.resident();
+  fill.mshrs = p.l1.mshrs_taken();
+  fill.retries = static_cast<int>(p.l1.retry_fill());
+  fill.hit_queue = static_cast<int>(p.hit_queue.size());
+  fill.burst_records = p.writer.filled();
+  fill.bursts = p.writer.unacknowledged();
+  return fill;
+}
+
+Outcome CycleMachine::outcome(bool finished, bool counters_only, CycleDetail* detail) {
+  return outcome(work_, order_, finished, counters_only, hosted_ ? nullptr : &dram_->counts(), detail);
+}
+
+Outcome CycleMachine::outcome(const Workload& work, std::span<const uint32_t> position, bool finished,
+                              const Dram::Counts* dram) {
+  std::vector<HitRecord> hits(work.rays.size());
+  std::vector<RayTiming> timing(work.rays.size());
+  for (size_t k = 0; k < position.size(); ++k) {
+    hits[position[k]] = hits_[k];
+    timing[position[k]] = timing_[k];
+  }
+  hits_ = std::move(hits);
+  timing_ = std::move(timing);
+  return outcome(work, position, finished, false, dram, nullptr);
+}
+
+/// hits_ and timing_ are in the order of `work`, costs_ in the machine's order.
+Outcome CycleMachine::outcome(const Workload& work, std::span<const uint32_t> position, bool finished,
+                              bool counters_only, const Dram::Counts* dram, CycleDetail* detail) {
+  Cycle cycles = dispatch_.closed() + 1;
+  for (auto& p : pipeline_)
+    cycles = std::max({cycles, p->writer.counts().last_acknowledged + 1, p->traverse.cycle()});
+  if (work.rays.empty()) cycles = 0;
+  for (auto& p : pipeline_) p->traverse.drain_until(cycles);
+
+  Outcome result;
+  result.hits = std::move(hits_);
+  result.finished_rays = completed();
+  count(result.measurements.counters, cycles, dram);
+  if (counters_only) return result;
+  std::vector<MemoryCost> memory(costs_.size());
+  for (size_t k = 0; k < position.size(); ++k) memory[position[k]] = costs_[k];
+  add_ray_measurements(work, result.hits, timing_, memory, pipelines_ * cycles, dram != nullptr,
+                       result.measurements);
+  seal(work, finished, result);
+  if (detail != nullptr) {
+    detail->timing = std::move(timing_);
+    detail->memory = std::move(memory);
+  }
+  return result;
+}
+
+void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* dram) const {
   counters.set("machine.cycles", cycles);
   counters.set("ray_dispatch.rays", dispatch_.sent());
   for (size_t p = 0; p < pipeline_.size(); ++p) {
@@ -208,18 +288,17 @@ void CycleMachine::count(Counters& counters, Cycle cycles) const {
     set("result_writer", "bursts", writer.bursts);
     set("result_writer", "bytes", writer.bytes);
   }
-  const Dram::Counts& dram = dram_.counts();
-  counters.set("dram.reads", dram.reads);
-  counters.set("dram.writes", dram.writes);
-  counters.set("dram.read_bytes", dram.read_bytes);
-  counters.set("dram.write_bytes", dram.write_bytes);
-  counters.set("dram.row_hits", dram.row_hits);
-  counters.set("dram.row_misses", dram.row_misses);
-  counters.set("dram.row_conflicts", dram.row_conflicts);
-  counters.set("dram.bus_clocks", dram.bus_clocks);
+  const MemoryPort::Counts& outside = memory_.outside_counts();
+  counters.set("dram.reads", hosted_ ? outside.reads : dram->reads);
+  counters.set("dram.writes", hosted_ ? outside.writes : dram->writes);
+  counters.set("dram.read_bytes", hosted_ ? outside.read_bytes : dram->read_bytes);
+  counters.set("dram.write_bytes", hosted_ ? outside.write_bytes : dram->write_bytes);
+  if (dram == nullptr) return;
+  counters.set("dram.row_hits", dram->row_hits);
+  counters.set("dram.row_misses", dram->row_misses);
+  counters.set("dram.row_conflicts", dram->row_conflicts);
+  counters.set("dram.bus_clocks", dram->bus_clocks);
 }
-
-}  // namespace
 
 Outcome run_cycle_detailed(const Workload& work, const Architecture& architecture, const Progress& progress,
                            const CycleHooks& hooks, CycleDetail* detail) {

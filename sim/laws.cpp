@@ -91,8 +91,11 @@ std::vector<std::string> broken_laws(const Workload& work, const Architecture& a
                counters.sum("height_l1", "fill_bytes"));
     laws.equal("bytes written to dram = bytes of bursts", laws.get("dram.write_bytes"),
                counters.sum("result_writer", "bytes"));
-    laws.equal("requests = row hits + misses + conflicts", laws.get("dram.reads") + laws.get("dram.writes"),
-               laws.get("dram.row_hits") + laws.get("dram.row_misses") + laws.get("dram.row_conflicts"));
+    if (counters.all().count("dram.row_hits") !=
+        0) {  // a memory outside the machine keeps its rows to itself
+      laws.equal("requests = row hits + misses + conflicts", laws.get("dram.reads") + laws.get("dram.writes"),
+                 laws.get("dram.row_hits") + laws.get("dram.row_misses") + laws.get("dram.row_conflicts"));
+    }
   }
   return std::move(laws).broken();
 }

@@ -66,7 +66,7 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
 
 void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
                           std::span<const RayTiming> timing, std::span<const MemoryCost> memory,
-                          int64_t traverse_cycles, Measurements& measurements) {
+                          int64_t traverse_cycles, bool dram_inside, Measurements& measurements) {
   add_hit_measurements(work, hits, measurements);
   std::vector<int64_t> latencies;
   latencies.reserve(timing.size());
@@ -84,8 +84,10 @@ void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
   add("plane.l1_misses", [&](size_t k) { return timing[k].misses; });
   add("plane.dram_read_bytes", [&](size_t k) { return memory[k].read_bytes; });
   add("plane.dram_write_bytes", [&](size_t k) { return memory[k].write_bytes; });
-  add("plane.dram_bus_clocks", [&](size_t k) { return memory[k].bus_clocks; });
-  add("plane.dram_row_activations", [&](size_t k) { return memory[k].row_activations; });
+  if (dram_inside) {
+    add("plane.dram_bus_clocks", [&](size_t k) { return memory[k].bus_clocks; });
+    add("plane.dram_row_activations", [&](size_t k) { return memory[k].row_activations; });
+  }
   add("plane.latency", [&](size_t k) { return timing[k].latency; });
   measurements.planes.back().adds_up = false;
 }

@@ -15,10 +15,11 @@ namespace cuesta {
 void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, Measurements& measurements);
 
 /// What only time knows: histogram of latencies; planes of issue slots, misses, memory traffic and latency.
-/// `timing` and `memory` in the order of the trace; `traverse_cycles`: over all pipelines.
+/// `timing` and `memory` in the order of the trace; `traverse_cycles`: over all pipelines; `dram_inside`: the bus
+/// and the rows of dram are known, too.
 void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
                           std::span<const RayTiming> timing, std::span<const MemoryCost> memory,
-                          int64_t traverse_cycles, Measurements& measurements);
+                          int64_t traverse_cycles, bool dram_inside, Measurements& measurements);
 
 /// A hit record but its steps: what every exact schedule must agree on.
 void add_answer(Digest& digest, const HitRecord& hit);

@@ -14,7 +14,7 @@ template <class A, class G>
 class TraversalSource final : public StepSource {
  public:
   TraversalSource(const Workload& work, const Architecture& architecture, const TexelLayout& layout,
-                  std::span<const uint32_t> order)
+                  const std::vector<uint32_t>& order)
       : StepSource(static_cast<uint32_t>(order.size())),
         work_(work),
         layout_(layout),
@@ -28,8 +28,8 @@ class TraversalSource final : public StepSource {
     if constexpr (std::is_same_v<Walk<A, G>, Walk<FixedArithmetic, PlainAxis>>) {
       if (lanes_can(walk_) && layout_.kind() != TexelLayoutKind::kMorton) {
         const LineRecorder recorder{&layout_, line_shift_, &batch.lines, batch.spans.data()};
-        traverse_lanes(walk_, *work_.pyramid, work_.rays, order_.subspan(batch.first_ray, batch.spans.size()),
-                       batch.hits, &recorder);
+        traverse_lanes(walk_, *work_.pyramid, work_.rays,
+                       std::span(order_).subspan(batch.first_ray, batch.spans.size()), batch.hits, &recorder);
         return;
       }
     }
@@ -47,7 +47,7 @@ class TraversalSource final : public StepSource {
 
   const Workload& work_;
   const TexelLayout& layout_;
-  std::span<const uint32_t> order_;
+  const std::vector<uint32_t>& order_;
   int line_shift_;
   Walk<A, G> walk_;
 };
@@ -56,7 +56,7 @@ class TraversalSource final : public StepSource {
 
 std::unique_ptr<StepSource> make_traversal_source(const Workload& work, const Architecture& architecture,
                                                   const TexelLayout& layout,
-                                                  std::span<const uint32_t> order) {
+                                                  const std::vector<uint32_t>& order) {
   return with_traversal_types(
       architecture.traverse.arithmetic, work.map, [&]<class A, class G>() -> std::unique_ptr<StepSource> {
         return std::make_unique<TraversalSource<A, G>>(work, architecture, layout, order);

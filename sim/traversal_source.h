@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
+#include <vector>
 
 #include "models/heightmap/texel_layout.h"
 #include "models/traversal/step_source.h"
@@ -11,8 +11,9 @@
 namespace cuesta {
 
 /// The steps of a workload's rays, traversed batch by batch; `order` is the machine's order. The references must
-/// outlive the source.
+/// outlive the source; rays may be added behind them (`set_rays`).
 std::unique_ptr<StepSource> make_traversal_source(const Workload& work, const Architecture& architecture,
-                                                  const TexelLayout& layout, std::span<const uint32_t> order);
+                                                  const TexelLayout& layout,
+                                                  const std::vector<uint32_t>& order);
 
 }  // namespace cuesta

@@ -39,8 +39,8 @@ HeightL1::Answer HeightL1::miss(uint32_t line, uint32_t first_way, int context, 
   return Answer::kAllocated;
 }
 
-void HeightL1::respond(int slot, Cycle response) {
-  // One fill a cycle: the first cycle that no other pending fill has booked.
+/// One fill a cycle: the first cycle that no other pending fill has booked.
+Cycle HeightL1::earliest(Cycle response) const {
   Cycle lands = response;
   for (bool moved = true; moved;) {
     lands = PortStalls::free_from(stalls_, Port::kMemoryResponse, pipeline_, lands);
@@ -50,6 +50,11 @@ void HeightL1::respond(int slot, Cycle response) {
     }
     if (moved) ++lands;
   }
+  return lands;
+}
+
+void HeightL1::respond(int slot, Cycle response) {
+  const Cycle lands = earliest(response);
   mshrs_[static_cast<size_t>(slot)].lands = lands;
   next_landing_ = std::min(next_landing_, lands);
 }

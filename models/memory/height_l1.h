@@ -92,6 +92,7 @@ class HeightL1 final : public MemoryClient {
   }
 
   void respond(int slot, Cycle response) override;
+  Cycle earliest(Cycle response) const override;
 
   const Counts& counts() const { return counts_; }
   int mshrs_taken() const { return static_cast<int>(mshrs_.size()) - std::popcount(free_mshrs_); }

@@ -48,6 +48,9 @@ class ResultWriter final : public MemoryClient {
   /// Everything taken was sent and acknowledged.
   bool idle() const;
 
+  /// Nothing waits to be written, nothing written waits for its acknowledgement; a burst may be partly filled.
+  bool quiet() const { return queue_.empty() && filled_ < records_per_burst_ && unacknowledged() == 0; }
+
   void respond(int slot, Cycle response) override;
   void catch_up(Cycle limit) override { advance(limit); }
 

@@ -28,12 +28,15 @@ struct LineSpan {
 /// rays are done.
 class StepSource {
  public:
+  /// `rays`: those that there are; `set_rays` when more have come.
   explicit StepSource(uint32_t rays) : rays_(rays) {}
   virtual ~StepSource() = default;
   StepSource(const StepSource&) = delete;
   StepSource& operator=(const StepSource&) = delete;
 
-  /// Valid until `done(ray)`.
+  void set_rays(uint32_t rays) { rays_ = rays; }
+
+  /// Of a ray that is there; valid until `done(ray)`.
   RaySteps steps(uint32_t ray) {
     while (ray >= made_) make_batch();
     const Batch& batch = batch_of(ray);

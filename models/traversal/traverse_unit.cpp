@@ -72,7 +72,7 @@ bool TraverseUnit::retire(int context, Cycle limit) {
     const Cycle popped = writer_.advance_to_pop(limit);
     cycle = popped == kNever ? limit : popped + 1;
   }
-  cycle = PortStalls::free_from(stalls_, Port::kHitStream, pipeline_, cycle);
+  cycle = PortStalls::free_from(stalls_, Port::kHitStream, pipeline_, std::max(cycle, hits_open_from_));
   cycle = std::min(cycle, limit);
   if (cycle > cycle_) {
     if (watchdog_.expired(cycle)) give_up();
@@ -90,6 +90,7 @@ bool TraverseUnit::retire(int context, Cycle limit) {
   counts_.hits += hits_[ray.trace].status == HitStatus::kHit;
   counts_.resident_cycles += cycle_ - ray.entered;
   watchdog_.last_progress = cycle_;
+  if (completions_ != nullptr) completions_->push_back(ray.trace);
   free_.push_back(context);
   slots_[static_cast<size_t>(slot_)] = -1;
   --occupied_;
@@ -153,7 +154,7 @@ void TraverseUnit::bubble(Cycle limit) {
   if (l1_.next_landing() != kNever) next = std::min(next, l1_.next_landing() + 1);
   if (!free_.empty()) next = std::min(next, std::max(setup_.next_ready(), cycle_ + 1));
   next = std::max(next, cycle_ + 1);
-  if (next >= kNever || watchdog_.expired(next)) give_up();
+  if (next >= kNever || (watchdog_.expired(next) && !starved())) give_up();
   count_bubbles(next - cycle_);
   slot_ = static_cast<int>((slot_ + next - cycle_) % stages_);
   cycle_ = next;

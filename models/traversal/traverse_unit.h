@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -65,9 +64,9 @@ class TraverseUnit {
     }
   };
 
-  TraverseUnit(const TraverseParameters& parameters, StepSource& source, std::span<const uint32_t> order,
+  TraverseUnit(const TraverseParameters& parameters, StepSource& source, const std::vector<uint32_t>& order,
                int pipeline, RayDispatch& dispatch, RaySetupUnit& setup, HeightL1& l1, HitQueue& hit_queue,
-               ResultWriter& writer, std::span<HitRecord> hits, std::span<RayTiming> timing,
+               ResultWriter& writer, std::vector<HitRecord>& hits, std::vector<RayTiming>& timing,
                Watchdog& watchdog, const PortStalls* stalls)
       : source_(source),
         order_(order),
@@ -87,12 +86,19 @@ class TraverseUnit {
     for (int context = parameters.contexts - 1; context >= 0; --context) free_.push_back(context);
   }
 
+  /// The hit stream is held back until `cycle`, as by a hit_queue that is full.
+  void hold_hits_until(Cycle cycle) { hits_open_from_ = cycle; }
+  /// From now on the positions in the trace of rays that complete are added to `rays`, in order.
+  void log_completions(std::vector<uint32_t>* rays) { completions_ = rays; }
+
   /// Everything that happens in cycles below `limit`. Throws Error(kNoProgress).
   void advance(Cycle limit);
 
   /// No ray here, none to come.
   bool finished() const { return resident() == 0 && setup_.empty() && dispatch_.all_sent(); }
   Cycle cycle() const { return cycle_; }
+  /// Nothing to do but to wait for rays from outside.
+  bool starved() const { return resident() == 0 && setup_.empty() && dispatch_.starved(); }
   int resident() const { return static_cast<int>(contexts_.size() - free_.size()); }
   /// The cycles from where the unit stopped to the machine's last one.
   void drain_until(Cycle end) {
@@ -128,17 +134,19 @@ class TraverseUnit {
   }
 
   StepSource& source_;
-  std::span<const uint32_t> order_;
+  const std::vector<uint32_t>& order_;
   int pipeline_;
   RayDispatch& dispatch_;
   RaySetupUnit& setup_;
   HeightL1& l1_;
   HitQueue& hit_queue_;
   ResultWriter& writer_;
-  std::span<HitRecord> hits_;
-  std::span<RayTiming> timing_;
+  std::vector<HitRecord>& hits_;
+  std::vector<RayTiming>& timing_;
   Watchdog& watchdog_;
   const PortStalls* stalls_;
+  std::vector<uint32_t>* completions_ = nullptr;
+  Cycle hits_open_from_ = 0;
   int stages_;
   std::vector<Context> contexts_;
   std::vector<int> free_;   ///< contexts
