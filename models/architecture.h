@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "models/heightmap/texel_layout.h"
 #include "models/memory/dram_parameters.h"
 #include "models/traversal/machine_ray.h"
+#include "models/traversal/schedule.h"
 
 namespace cuesta {
 
@@ -40,6 +42,12 @@ struct TraverseParameters {
   int direction_bits = 32;
   int mantissa_bits = 0;  ///< 0: height bits + 4
   int tile_bits = 4;
+  // Of the schedule; none: as the algorithm says.
+  std::optional<StartRule> start;
+  std::optional<int> down;
+  std::optional<UpRule> up;
+  std::optional<int> stop_level;
+  std::optional<FetchRule> fetch;
 };
 
 struct HeightL1Parameters {

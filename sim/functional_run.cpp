@@ -18,7 +18,7 @@ uint64_t trace_all(const Workload& work, const NumberFormat& format, const Progr
                    std::vector<HitRecord>& hits) {
   const Pyramid& pyramid = *work.pyramid;
   const int root = pyramid.root_level();
-  const Walk<A, G> walk(work.map, format, work.schedule, pyramid.at(root, 0, 0));
+  const Walk<A, G> walk(work.map, format, work.schedule, pyramid.highest());
   struct LevelView {
     const uint16_t* texels;
     int64_t width;

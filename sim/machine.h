@@ -19,7 +19,7 @@ enum class Fidelity : uint8_t { kFunctional, kCycle };
 
 /// One run's work: rays in the order of the trace.
 struct Workload {
-  const Pyramid* pyramid = nullptr;  ///< max pyramid
+  const Pyramid* pyramid = nullptr;  ///< max pyramid; schedule.stop_level > 0: stopped there, with its means
   MapShape map;
   std::span<const MachineRay> rays;
   std::span<const uint32_t> pixel_of_ray;  ///< y * width + x, as long as rays
@@ -44,6 +44,11 @@ Outcome run_functional(const Workload& work, const Architecture& architecture, c
 
 /// Every cycle of every unit. Throws Error(kNoProgress) with each queue's fill and who waits for whom.
 Outcome run_cycle(const Workload& work, const Architecture& architecture, const Progress& progress = {});
+
+/// The algorithm with what the architecture's [traverse] section says of its schedule; its id is the canonical name.
+Algorithm algorithm_on(const Algorithm& algorithm, const TraverseParameters& traverse);
+/// The same of several, in order, those left out that have become the same schedule as an earlier one.
+std::vector<Algorithm> distinct_on(const Architecture& architecture, std::span<const Algorithm> algorithms);
 
 /// The widths that the architecture's [traverse] section gives on this map (mantissa 0 = bits + 4).
 NumberFormat number_format(const TraverseParameters& traverse, const MapShape& map);

@@ -47,11 +47,28 @@ const std::vector<MachineRay>& Measurer::rays_for(const NumberFormat& format) {
   return rays_.emplace_back(format, std::move(rays)).second;
 }
 
+const Pyramid& Measurer::pyramid_for(const Algorithm& algorithm) {
+  const int stop = algorithm.schedule.stop_level, root = job_.pyramid.root_level();
+  if (stop == 0) return job_.pyramid;
+  if (stop > root) {
+    throw usage_error("Algorithm " + algorithm.id + " stops at level " + std::to_string(stop) +
+                      ", above the root of scene " + job_.scene.name + "'s map of " +
+                      std::to_string(job_.map.width) + " x " + std::to_string(job_.map.height) +
+                      " texels; accepted are levels 0 to " + std::to_string(root) + ".");
+  }
+  if (!stopped_ || stopped_->lowest_level() != stop) {
+    stopped_.reset();
+    stopped_ = build_stopped_pyramid(job_.pyramid, stop);
+  }
+  return *stopped_;
+}
+
 void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Architecture& architecture,
-                               const std::string& run_name) {
+                               int stop_level, const std::string& run_name) {
   const NumberFormat format = number_format(architecture.traverse, job_.map);
   std::string numbers = std::to_string(static_cast<int>(architecture.traverse.arithmetic));
-  for (int bits : {format.fraction_bits, format.direction_bits, format.mantissa_bits, format.tile_bits}) {
+  for (int bits :
+       {format.fraction_bits, format.direction_bits, format.mantissa_bits, format.tile_bits, stop_level}) {
     numbers += "," + std::to_string(bits);
   }
   const std::string digest = steps_free_digest(hits);
@@ -63,16 +80,15 @@ void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Archite
   }
 }
 
-RunEntry Measurer::run(const Algorithm& algorithm, const Architecture& architecture, Fidelity fidelity,
+RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture, Fidelity fidelity,
                        const Progress& progress) {
-  if (algorithm.schedule.down == kDownCommon || algorithm.schedule.stop_level > 0 ||
-      algorithm.schedule.fetch != FetchRule::kTexel) {
+  const Algorithm algorithm = algorithm_on(named, architecture.traverse);
+  if (algorithm.schedule.fetch != FetchRule::kTexel) {
     throw usage_error("Algorithm " + algorithm.id +
-                      ": common, stop and quad are not available in this version; accepted are schedules "
-                      "without them.");
+                      ": quad is not available in this version; accepted are schedules without it.");
   }
   Workload work;
-  work.pyramid = &job_.pyramid;
+  work.pyramid = &pyramid_for(algorithm);
   work.map = job_.map;
   work.rays = rays_for(number_format(architecture.traverse, job_.map));
   work.pixel_of_ray = job_.pixel_of_ray;
@@ -98,7 +114,7 @@ RunEntry Measurer::run(const Algorithm& algorithm, const Architecture& architect
                                            entry.fidelity + ") breaks " + std::to_string(broken.size()) +
                                            " of its laws; the first: " + broken.front());
     }
-    check_same_hits(outcome.hits, architecture, run_name);
+    check_same_hits(outcome.hits, architecture, work.schedule.stop_level, run_name);
   }
   entry.measurements = std::move(outcome.measurements);
   entry.hits_digest = std::move(outcome.hits_digest);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,10 +21,12 @@ class Measurer {
   /// `job` must outlive it.
   explicit Measurer(const Job& job) : job_(job) {}
 
+  /// The algorithm as algorithm_on(..., architecture) has it; the entry carries that name. Throws usage_error for a stop
+  /// level above the map's root.
   /// Throws Error(kMismatch) for a broken law of the accounting, and when exact algorithms disagree: with the same
-  /// numbers, every schedule returns the same hits. Throws input_error for a ray that does not fit the machine's
+  /// numbers and leaves, every schedule returns the same hits. Throws input_error for a ray that does not fit the machine's
   /// numbers. Stopped early by `progress`, the entry is partial and only its finished rays count.
-  RunEntry run(const Algorithm& algorithm, const Architecture& architecture, Fidelity fidelity,
+  RunEntry run(const Algorithm& named, const Architecture& architecture, Fidelity fidelity,
                const Progress& progress = {});
 
   /// Digest over the hits without their steps: equal for all exact algorithms with the same numbers.
@@ -32,12 +35,16 @@ class Measurer {
  private:
   /// Quantised once for each number format.
   const std::vector<MachineRay>& rays_for(const NumberFormat& format);
-  void check_same_hits(const std::vector<HitRecord>& hits, const Architecture& architecture,
+  void check_same_hits(const std::vector<HitRecord>& hits, const Architecture& architecture, int stop_level,
                        const std::string& run_name);
 
+  const Pyramid& pyramid_for(const Algorithm& algorithm);
+
   const Job& job_;
+  std::optional<Pyramid> stopped_;  ///< of the last stop level above 0
   std::vector<std::pair<NumberFormat, std::vector<MachineRay>>> rays_;
-  std::map<std::string, std::pair<std::string, std::string>> hits_;  ///< numbers -> digest, who found it
+  std::map<std::string, std::pair<std::string, std::string>>
+      hits_;  ///< numbers and leaves -> digest, who found it
 };
 
 }  // namespace cuesta

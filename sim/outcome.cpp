@@ -1,5 +1,7 @@
 #include "sim/outcome.h"
 
+#include <algorithm>
+
 #include "models/common/digest.h"
 #include "models/common/error.h"
 
@@ -21,6 +23,27 @@ NumberFormat number_format(const TraverseParameters& traverse, const MapShape& m
                       " bits on this map; at most 60 and 29 are accepted.");
   }
   return format;
+}
+
+Algorithm algorithm_on(const Algorithm& algorithm, const TraverseParameters& traverse) {
+  Schedule schedule = algorithm.schedule;
+  schedule.start = traverse.start.value_or(schedule.start);
+  schedule.down = traverse.down.value_or(schedule.down);
+  schedule.up = traverse.up.value_or(schedule.up);
+  schedule.stop_level = traverse.stop_level.value_or(schedule.stop_level);
+  schedule.fetch = traverse.fetch.value_or(schedule.fetch);
+  return schedule == algorithm.schedule ? algorithm : parse_algorithm(name_of(schedule));
+}
+
+std::vector<Algorithm> distinct_on(const Architecture& architecture, std::span<const Algorithm> algorithms) {
+  std::vector<Algorithm> distinct;
+  for (const Algorithm& algorithm : algorithms) {
+    Algorithm here = algorithm_on(algorithm, architecture.traverse);
+    const bool known = std::any_of(distinct.begin(), distinct.end(),
+                                   [&](const Algorithm& other) { return other.id == here.id; });
+    if (!known) distinct.push_back(std::move(here));
+  }
+  return distinct;
 }
 
 namespace {

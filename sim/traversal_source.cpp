@@ -21,7 +21,7 @@ class TraversalSource final : public StepSource {
         order_(order),
         line_shift_(std::countr_zero(static_cast<unsigned>(architecture.height_l1.line_bytes))),
         walk_(work.map, number_format(architecture.traverse, work.map), work.schedule,
-              work.pyramid->at(work.pyramid->root_level(), 0, 0)) {}
+              work.pyramid->highest()) {}
 
  private:
   void produce(Batch& batch) override {

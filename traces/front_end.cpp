@@ -108,7 +108,7 @@ RayTrace make_rays(const Scene& scene, int map_width, int map_height, const std:
   }
   const Pixels pixels(camera, scene, scale);
   const Slab slab{static_cast<double>(scene.tiles[0]), static_cast<double>(scene.tiles[1]),
-                  scene.address_mode == AddressMode::kWrap, 1.0 / 128 / map_width, 1.0 / 128 / map_height};
+                  scene.address_mode != AddressMode::kBorder, 1.0 / 128 / map_width, 1.0 / 128 / map_height};
   const Crop area = checked(crop, scene.width, scene.height);
   RayTrace trace{scene.width, scene.height, {}};
   for (int y = area.y; y < area.y + area.height; ++y) {

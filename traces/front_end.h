@@ -18,9 +18,9 @@ Crop parse_crop(const std::string& text);
 
 /// The rays of a scene over a map of `map_width` x `map_height` texels: one through the middle of each pixel whose
 /// ray meets the slab, in the order of the pixels; its id is pixel_y * width + pixel_x. A ray starts where it
-/// enters the slab over the plane: on z = 1, on a side, or at the camera inside; there its t is 0. In wrap mode its
-/// t_max ends it 1/128 texel before the plane's far edge, so that the machine's rounding never shows it the
-/// tile beyond; in border mode the machine ends it. With a crop the rays and ids are those of the whole frame inside
+/// enters the slab over the plane: on z = 1, on a side, or at the camera inside; there its t is 0. Its t_max ends it
+/// 1/128 texel before the plane's far edge, so that the machine's rounding never shows it the tile beyond; in border
+/// mode the machine ends it. With a crop the rays and ids are those of the whole frame inside
 /// the crop. A scene with a ray file gives that file's rays.
 /// Throws usage_error for a crop outside the frame or a camera below the slab's floor, input_error for a ray file.
 RayTrace make_rays(const Scene& scene, int map_width, int map_height, const std::optional<Crop>& crop = {});

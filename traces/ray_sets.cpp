@@ -50,11 +50,11 @@ void set_direction(Random& random, int angle_class, TracedRay& ray) {
 }
 
 /// The ray passes through a random point of the tile's slab; one in four starts there, the others where they enter:
-/// on top, on a side, or rising, on the floor. In wrap mode, where sides mean nothing, descending rays start on top.
+/// on top, on a side, or rising, on the floor. Descending rays start on top where sides mean nothing: not in border mode.
 void set_origin(Random& random, AddressMode mode, TracedRay& ray) {
   for (double& value : ray.origin) value = between(random, 0.001, 0.999);
   const bool inside = random.chance(0.25);
-  if (!inside && mode == AddressMode::kWrap && ray.direction[2] < 0) {
+  if (!inside && mode != AddressMode::kBorder && ray.direction[2] < 0) {
     ray.origin[2] = 1;
   } else if (!inside) {
     double largest = 0;
@@ -62,7 +62,7 @@ void set_origin(Random& random, AddressMode mode, TracedRay& ray) {
     for (int axis = 0; axis < 3; ++axis) ray.origin[axis] -= 2 / largest * ray.direction[axis];
     Slab{1, 1, false, 0, 0}.enter(ray);
   }
-  if (mode != AddressMode::kWrap) return;
+  if (mode == AddressMode::kBorder) return;
   for (int axis = 0; axis < 2; ++axis) ray.origin[axis] += static_cast<double>(random.between(-4, 3));
 }
 
@@ -109,7 +109,7 @@ RayTrace lattice_rays(const MapShape& map, uint64_t seed, uint64_t count) {
                     : where == 2 ? random.between(0, 2 * size[axis])
                                  : 2 * random.between(0, size[axis]);
       const bool outside = where == 3;
-      if (outside || map.address_mode == AddressMode::kWrap)
+      if (outside || map.address_mode != AddressMode::kBorder)
         twice[axis] += 2 * size[axis] * random.between(-1, 1);
     }
     twice[2] = random.chance(0.5) ? 2 * size[2] : 2 * random.between(0, size[2]);

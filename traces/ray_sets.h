@@ -12,8 +12,8 @@ namespace cuesta {
 
 /// Ray k is of angle class k mod 10: five ranges between the view and the surface's normal (0, 30, 60, 80, 89, 89.99
 /// degrees), descending; horizontal; and the first four rising. Azimuth, start and slab thickness are uniform; three
-/// in four start where they enter the slab (in wrap mode descending rays on top), the others inside; one in
-/// eight has a finite t_max. In wrap mode starts spread over four tiles each way.
+/// in four start where they enter the slab (but in border mode descending rays on top), the others inside; one in
+/// eight has a finite t_max. But in border mode starts spread over four tiles each way.
 RayTrace random_rays(const MapShape& map, uint64_t seed, uint64_t count);
 
 /// Rays on the map's lattice, where traversal meets its ties: origins on texel planes, texel middles, corners, edges

@@ -90,7 +90,9 @@ void read_heightmap(const TomlTable& table, const std::string& folder, Scene& sc
     throw table.error("", "holds neither `file` nor `generate`; accepted: one of the two.");
   }
   static constexpr Named<AddressMode> kModes[] = {{"wrap", AddressMode::kWrap},
-                                                  {"border", AddressMode::kBorder}};
+                                                  {"border", AddressMode::kBorder},
+                                                  {"mirror", AddressMode::kMirror},
+                                                  {"clamp", AddressMode::kClamp}};
   scene.address_mode = table.choice("address_mode", kModes, AddressMode::kWrap);
 }
 
@@ -102,7 +104,7 @@ void read_surface(const TomlTable& table, Scene& scene) {
   if (scene.address_mode == AddressMode::kBorder && (scene.tiles[0] != 1 || scene.tiles[1] != 1)) {
     throw table.error("tiles",
                       "asks for more than one tile, and `heightmap.address_mode` is border, which has one; "
-                      "accepted: [1, 1], or address_mode = \"wrap\".");
+                      "accepted: [1, 1], or address_mode = \"wrap\", \"mirror\" or \"clamp\".");
   }
 }
 

@@ -81,7 +81,8 @@ Pyramid build_max_pyramid(const HeightGrid& grid) {
     }
   }
   // The root is the highest texel: one comparison finds a height that does not fit the bits.
-  uint32_t highest = pyramid.at(pyramid.root_level(), 0, 0);
+  pyramid.highest_ = pyramid.at(pyramid.root_level(), 0, 0);
+  const uint32_t highest = pyramid.highest_;
   if (highest > pyramid.full_scale()) {
     throw input_error("The height grid holds the height " + std::to_string(highest) + "; " +
                       std::to_string(grid.bits) + " bits hold at most " +
@@ -94,6 +95,7 @@ Pyramid build_max_pyramid(const HeightGrid& grid) {
 /// (at most 2^28 texels of 16 bits) cost one row per level instead of four times the map.
 Pyramid build_mean_pyramid(const HeightGrid& grid) {
   Pyramid pyramid = make_pyramid_levels(grid);
+  pyramid.highest_ = *std::max_element(grid.texels.begin(), grid.texels.end());
   int root = pyramid.root_level();
   std::vector<std::vector<uint64_t>> sums(root + 1);
   for (int level = 1; level <= root; ++level) sums[level].assign(pyramid.width(level), 0);
@@ -115,6 +117,37 @@ Pyramid build_mean_pyramid(const HeightGrid& grid) {
         if (level < root) sums[level + 1][i / 2] += sums[level][i];
         sums[level][i] = 0;
       }
+    }
+  }
+  return pyramid;
+}
+
+Pyramid build_stopped_pyramid(const Pyramid& max_pyramid, int stop_level) {
+  Pyramid pyramid;
+  pyramid.bits_ = max_pyramid.bits_;
+  pyramid.highest_ = max_pyramid.highest_;
+  pyramid.lowest_level_ = stop_level;
+  pyramid.levels_ = max_pyramid.levels_;
+  const size_t dropped = max_pyramid.levels_[stop_level].first;
+  for (Pyramid::Level& level : pyramid.levels_)
+    level.first = level.first < dropped ? 0 : level.first - dropped;
+  pyramid.values_.assign(max_pyramid.values_.begin() + static_cast<ptrdiff_t>(dropped),
+                         max_pyramid.values_.end());
+  const int width = max_pyramid.width(0), height = max_pyramid.height(0);
+  const uint16_t* texels = max_pyramid.level(0);
+  std::vector<uint64_t> sums(static_cast<size_t>(pyramid.width(stop_level)));
+  for (int j = 0; j < pyramid.height(stop_level); ++j) {
+    std::fill(sums.begin(), sums.end(), 0);
+    const uint64_t rows = covered(j, stop_level, height);
+    for (uint64_t row = 0; row < rows; ++row) {
+      const uint16_t* line =
+          texels + ((static_cast<size_t>(j) << stop_level) + row) * static_cast<size_t>(width);
+      for (int x = 0; x < width; ++x) sums[static_cast<size_t>(x >> stop_level)] += line[x];
+    }
+    uint16_t* means = pyramid.values_.data() + static_cast<size_t>(j) * sums.size();
+    for (size_t i = 0; i < sums.size(); ++i) {
+      const uint64_t count = rows * covered(static_cast<int>(i), stop_level, width);
+      means[i] = static_cast<uint16_t>((2 * sums[i] + count) / (2 * count));
     }
   }
   return pyramid;

@@ -26,6 +26,10 @@ class Pyramid {
     return values_[levels_[level].first + static_cast<size_t>(j) * levels_[level].width + i];
   }
   size_t node_count() const { return values_.size() - 1; }
+  /// The highest texel of the map, whatever the levels hold.
+  uint16_t highest() const { return highest_; }
+  /// The lowest level that has values: above 0 in a stopped pyramid.
+  int lowest_level() const { return lowest_level_; }
 
  private:
   struct Level {
@@ -36,10 +40,13 @@ class Pyramid {
   std::vector<Level> levels_;
   std::vector<uint16_t> values_;  ///< all levels, and one more: texels may be read two at a time
   int bits_ = 8;
+  int lowest_level_ = 0;
+  uint16_t highest_ = 0;
 
   friend Pyramid make_pyramid_levels(const HeightGrid& grid);
   friend Pyramid build_max_pyramid(const HeightGrid& grid);
   friend Pyramid build_mean_pyramid(const HeightGrid& grid);
+  friend Pyramid build_stopped_pyramid(const Pyramid& max_pyramid, int stop_level);
 };
 
 /// Every node holds the maximum of the texels it covers (Oh, Ki, Lee 2006; Ki & Oh 2007, section 2.1).
@@ -49,5 +56,9 @@ Pyramid build_max_pyramid(const HeightGrid& grid);
 /// Every node holds the mean of the texels it covers: exact 64-bit sums, rounded half up once per level,
 /// hence never above the node of the max pyramid. Throws input_error as build_max_pyramid does.
 Pyramid build_mean_pyramid(const HeightGrid& grid);
+
+/// What a traversal that stops at `stop_level` looks at: means at that level, the maxima above it, nothing below. Sizes
+/// and `highest` are those of the whole map. `stop_level` is 0 (a copy) to the root's level.
+Pyramid build_stopped_pyramid(const Pyramid& max_pyramid, int stop_level);
 
 }  // namespace cuesta

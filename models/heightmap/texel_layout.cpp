@@ -111,7 +111,7 @@ std::vector<std::byte> TexelLayout::write_image(const Pyramid& pyramid) const {
                       " texels of " + std::to_string(texel_bytes()) + " bytes.");
   }
   std::vector<std::byte> image(size_bytes_);
-  for (int level = 0; level <= root_level(); ++level) {
+  for (int level = pyramid.lowest_level(); level <= root_level(); ++level) {
     for (int j = 0; j < levels_[level].height; ++j) {
       for (int i = 0; i < levels_[level].width; ++i) {
         uint64_t at = offset(level, i, j);

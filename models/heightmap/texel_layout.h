@@ -93,7 +93,8 @@ class TexelLayout {
   int texel_bytes() const { return 1 << texel_shift_; }
   int root_level() const { return static_cast<int>(levels_.size()) - 1; }
 
-  /// The image of a pyramid of this layout's shape: little-endian texels at their offsets, zeros between.
+  /// The image of a pyramid of this layout's shape: little-endian texels at their offsets, zeros between and where a
+  /// stopped pyramid has no level.
   /// Throws usage_error when the shape differs or the pyramid has more bytes a texel.
   std::vector<std::byte> write_image(const Pyramid& pyramid) const;
 

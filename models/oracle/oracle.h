@@ -16,11 +16,11 @@ struct OracleMap {
   int width = 1;   ///< nodes of this level along u
   int height = 1;  ///< nodes of this level along v
   int level = 0;
-  int64_t highest = 0;  ///< of all values
+  int64_t highest = 0;  ///< of all values; above level 0: of the texels, where a rising ray gives up
   MapShape shape;       ///< of the whole map, in texels
 };
 
-/// A view of `width * height` values at `level` of a map, by its own search for the highest.
+/// A view of `width * height` values at `level` of a map, by its own search for the highest value.
 OracleMap oracle_map(const uint16_t* values, int width, int height, int level, const MapShape& shape);
 OracleMap oracle_map(const HeightGrid& grid, const MapShape& shape);
 
@@ -34,14 +34,16 @@ struct OracleHit {
   uint64_t visits = 0;  ///< leaf walk: cells looked at
 };
 
-/// The cells of one axis, seen from the mirrored frame: node `index` of the map's own frame (unwrapped) covers
-/// the mirrored planes [lower, upper).
+/// The cells of one axis, seen from the mirrored frame: node `index` of the map's own frame (unwrapped, rising with
+/// place) covers the mirrored planes [lower, upper).
 struct OracleSpan {
   int64_t lower = 0, upper = 0;
   int64_t index = 0;
-  int stored = 0;  ///< index in the map after wrapping
+  int stored = 0;  ///< index in the map after the address mode
 };
-OracleSpan oracle_span(int64_t mirrored_leaf, bool mirrored, int size, int level);
+OracleSpan oracle_span(int64_t mirrored_leaf, bool mirrored, int size, int level, AddressMode mode);
+/// The span of the node of that `index`.
+OracleSpan oracle_span_of_node(int64_t index, bool mirrored, int size, int level, AddressMode mode);
 
 /// (a) From the cell at t_start on, cell by cell: a plane at t_out advances its axis.
 template <class Int>

@@ -69,8 +69,8 @@ OracleHit<Int> oracle_leaf_walk(const ExactRay<Int>& ray, const OracleMap& map) 
   int64_t k = ray.x.cell_at(now), l = ray.y.cell_at(now);
   uint64_t visits = 0;
   while (now < end && !(border && (k >= map.shape.width || l >= map.shape.height))) {
-    const OracleSpan u = oracle_span(k, ray.x.sign < 0, map.shape.width, map.level);
-    const OracleSpan v = oracle_span(l, ray.y.sign < 0, map.shape.height, map.level);
+    const OracleSpan u = oracle_span(k, ray.x.sign < 0, map.shape.width, map.level, map.shape.address_mode);
+    const OracleSpan v = oracle_span(l, ray.y.sign < 0, map.shape.height, map.level, map.shape.address_mode);
     ++visits;
     answer = oracle_ask_cell(ray, map, *start, u, v);
     if (answer.hit) break;
@@ -91,7 +91,7 @@ std::optional<OracleHit<Int>> oracle_brute_force(const ExactRay<Int>& ray, const
   if (!start) return best;
   const int w = map.shape.width, h = map.shape.height;
   int64_t k0 = 0, k1 = w - 1, l0 = 0, l1 = h - 1;
-  if (map.shape.address_mode == AddressMode::kWrap) {
+  if (map.shape.address_mode != AddressMode::kBorder) {  // clamp: whole widths of the map, like tiles
     ExactTime<Int> end = oracle_end(ray, map);
     if (ray.z.sign < 0) end = earlier(end, ray.z.reaches(0));
     end = later(end, *start);
@@ -105,9 +105,9 @@ std::optional<OracleHit<Int>> oracle_brute_force(const ExactRay<Int>& ray, const
   }
   OracleSpan u, v;
   for (int64_t l = l0; l <= l1; l = v.upper) {
-    v = oracle_span(l, ray.y.sign < 0, h, map.level);
+    v = oracle_span(l, ray.y.sign < 0, h, map.level, map.shape.address_mode);
     for (int64_t k = k0; k <= k1; k = u.upper) {
-      u = oracle_span(k, ray.x.sign < 0, w, map.level);
+      u = oracle_span(k, ray.x.sign < 0, w, map.level, map.shape.address_mode);
       const OracleHit<Int> answer = oracle_ask_cell(ray, map, *start, u, v);
       if (answer.hit && (!best.hit || answer.t < best.t)) best = answer;
     }

@@ -197,7 +197,7 @@ RandomMap random_map(uint64_t seed, int max_side) {
   map.shape.height = map.grid.height;
   while ((1 << map.shape.root_level) < std::max(map.grid.width, map.grid.height)) ++map.shape.root_level;
   map.shape.bits = map.grid.bits;
-  map.shape.address_mode = random.chance(0.5) ? AddressMode::kWrap : AddressMode::kBorder;
+  map.shape.address_mode = static_cast<AddressMode>(random.below(4));
   map.format = random_format(random, map.grid.bits);
   return map;
 }
@@ -232,9 +232,9 @@ std::string describe(const RandomMap& map) {
   char text[256];
   std::snprintf(text, sizeof text, "map seed %llu: %s, %d x %d, %d bits, %s; f %d, D %d, M %d, w2 %d",
                 static_cast<unsigned long long>(map.seed), std::string(map.kind).c_str(), map.grid.width,
-                map.grid.height, map.grid.bits,
-                map.shape.address_mode == AddressMode::kWrap ? "wrap" : "border", map.format.fraction_bits,
-                map.format.direction_bits, map.format.mantissa_bits, map.format.tile_bits);
+                map.grid.height, map.grid.bits, std::string(name_of(map.shape.address_mode)).c_str(),
+                map.format.fraction_bits, map.format.direction_bits, map.format.mantissa_bits,
+                map.format.tile_bits);
   return text;
 }
 

@@ -20,7 +20,7 @@ struct RandomMap {
 };
 
 /// The map of a seed: 1 x 1, 1 x N, powers of two, 2^n + 1, any size up to `max_side`; 1 to 16 bits; flat, noise,
-/// checker-like, spikes, steps and fractal; wrap or border; the machine's default number format for its bits, or
+/// checker-like, spikes, steps and fractal; every address mode; the machine's default number format for its bits, or
 /// a random one.
 RandomMap random_map(uint64_t seed, int max_side);
 

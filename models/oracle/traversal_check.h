@@ -36,7 +36,7 @@ struct TraversalCheck {
 };
 
 struct TraversalCheckOptions {
-  bool all_combinations = true;  ///< 3 starts x 3 downs x 8 ups besides the named algorithms
+  bool all_combinations = true;  ///< 3 starts x 4 downs x 8 ups besides the named algorithms
   bool verdicts = true;
   int step_check_every = 8;  ///< rays; 0: never
   int stop_level = 0;        ///< > 0: leaves are the mean pyramid's texels

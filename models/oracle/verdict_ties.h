@@ -48,14 +48,6 @@ std::optional<ExactTime<Int>> first_touch(const ExactRay<Int>& ray, const Oracle
   return t_in;
 }
 
-/// The span of node `index` (map's own frame, unwrapped) as the mirrored frame sees it.
-inline OracleSpan span_of_node(int64_t index, bool mirrored, int size, int level) {
-  const int64_t nodes_per_tile = (size + (int64_t{1} << level) - 1) >> level;
-  const int64_t tile = floor_divide<int64_t>(index, nodes_per_tile);
-  const int64_t leaf = tile * size + ((index - tile * nodes_per_tile) << level);
-  return oracle_span(mirrored ? size - 1 - leaf : leaf, mirrored, size, level);
-}
-
 /// Is `answer` the first hit when touching counts or edges are closed on the other side? An answer may pass an
 /// earlier touch, as the oracle's own convention does.
 template <class Int>
@@ -66,8 +58,9 @@ bool is_tie(const ExactRay<Int>& ray, const OracleMap& map, const JudgedAnswer& 
     const bool outside = shape.address_mode == AddressMode::kBorder &&
                          (answer.i < 0 || answer.j < 0 || answer.i >= map.width || answer.j >= map.height);
     if (outside) return false;
-    touch = first_touch(ray, map, span_of_node(answer.i, ray.x.sign < 0, shape.width, map.level),
-                        span_of_node(answer.j, ray.y.sign < 0, shape.height, map.level));
+    touch = first_touch(
+        ray, map, oracle_span_of_node(answer.i, ray.x.sign < 0, shape.width, map.level, shape.address_mode),
+        oracle_span_of_node(answer.j, ray.y.sign < 0, shape.height, map.level, shape.address_mode));
   }
   for (int sides = 0; sides < 4; ++sides) {
     ExactRay<Int> other = ray;

@@ -379,7 +379,10 @@ class LaneTraversal {
 
 bool lanes_can(const Walk<FixedArithmetic, PlainAxis>& walk) {
   const NumberFormat& number = walk.format.number;
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+  const bool tiled =
+      walk.map.address_mode == AddressMode::kBorder || walk.map.address_mode == AddressMode::kWrap;
+  return tiled && walk.schedule.down != kDownCommon && walk.schedule.fetch == FetchRule::kTexel &&
+         __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
          __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512bw") &&
          number.mantissa_bits + number.fraction_bits <= 30 && walk.map.root_level + number.tile_bits <= 28;
 }

@@ -19,8 +19,8 @@ struct LineRecorder {
   LineSpan* spans;               ///< per ray of the call
 };
 
-/// Whether `traverse_lanes` can do this walk on this processor: fixed point, a square power of two, slopes below
-/// 2^31, AVX-512.
+/// Whether `traverse_lanes` can do this walk on this processor: fixed point, a square power of two that wraps or ends
+/// at its border, texels fetched one by one, downs of 1 to 3 levels, slopes below 2^31, AVX-512.
 bool lanes_can(const Walk<FixedArithmetic, PlainAxis>& walk);
 
 /// The same walk, rays and records as `traverse_ray`, bit for bit, 16 rays at a time in the lanes of AVX-512

@@ -1,12 +1,21 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "models/traversal/ray.h"
 
 namespace cuesta {
 
-enum class AddressMode : uint8_t { kBorder = 0, kWrap = 1 };
+/// What lies beyond the map: nothing; the map again; the map turned over, and again as it is; its edge texels.
+enum class AddressMode : uint8_t { kBorder = 0, kWrap = 1, kMirror = 2, kClamp = 3 };
+
+/// border, wrap, mirror, clamp
+inline std::string_view name_of(AddressMode mode) {
+  constexpr std::string_view kNames[] = {"border", "wrap", "mirror", "clamp"};
+  return kNames[static_cast<size_t>(mode) & 3];
+}
 
 enum class Arithmetic : uint8_t { kFixed = 0, kFloat = 1, kDouble = 2 };
 

@@ -235,7 +235,9 @@ std::string name_of(const Schedule& schedule) {
 }
 
 Algorithm parse_algorithm(std::string_view text) {
-  const Schedule schedule = ScheduleReader(text).read();
+  Schedule schedule = ScheduleReader(text).read();
+  if (schedule.start == StartRule::kLeaf)
+    schedule.down = 1;  // a descent before the first crossing never happens
   const std::string id = name_of(schedule);
   if (const Algorithm* named = find_algorithm(id)) return *named;
   const Algorithm* row = row_of(schedule);

@@ -75,7 +75,7 @@ inline constexpr std::string_view kScheduleSyntax =
 std::string name_of(const Schedule& schedule);
 
 /// Reads what `name_of` writes, and other spellings of the same: "yun2013", "span:2:selective-even" (which is
-/// yun2013), "root:common:never:stop=2:quad", "oh2006:quad". The `id` is the canonical name. Throws usage_error with
+/// yun2013), "root:common:never:stop=2:quad", "oh2006:quad"; from the leaves DOWN never matters and is read as 1. The `id` is the canonical name. Throws usage_error with
 /// what is accepted and the nearest name.
 Algorithm parse_algorithm(std::string_view text);
 

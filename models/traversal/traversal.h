@@ -52,6 +52,7 @@ struct RayState {
   int32_t down;          ///< levels per descent: the schedule's, 1 after the first crossing
   int32_t last_crossed;  ///< level of the previous step if that was a crossing, else -1
   uint32_t steps;
+  int64_t end_x = 0, end_y = 0;  ///< kSpan, kDownCommon: the leaf cell where the ray must have ended
   bool rising;
   HitFace face;    ///< after a hit
   Time t_hit = 0;  ///< after a hit
@@ -71,10 +72,10 @@ Visit before_visit(const Walk<A, G>& walk, const RayState<A, G>& ray) {
   return Visit::kContinue;
 }
 
-/// The smallest level whose node holds the start cell and the cell where the ray must have ended.
+/// The leaf cell where the ray must have ended: it steers which nodes are looked at, never the hit.
 template <class A, class G>
-int span_level(const Walk<A, G>& walk, const RayState<A, G>& ray, const MachineRay& input, int64_t origin_x,
-               int64_t origin_y, int64_t cell_x, int64_t cell_y) {
+void set_end_cell(const Walk<A, G>& walk, RayState<A, G>& ray, const MachineRay& input, int64_t origin_x,
+                  int64_t origin_y, int64_t cell_x, int64_t cell_y) {
   using Time = typename A::Time;
   const MapShape& map = walk.map;
   Time t_end = ray.t_max;
@@ -89,10 +90,22 @@ int span_level(const Walk<A, G>& walk, const RayState<A, G>& ray, const MachineR
     if (unlimited) return start + axis.padded;  // another tile
     return A::cell_at(line, origin, d, t_end, walk.format);
   };
-  const int64_t end_x = end_cell(ray.x, origin_x, input.dx < 0 ? -input.dx : input.dx, cell_x, walk.x);
-  const int64_t end_y = end_cell(ray.y, origin_y, input.dy < 0 ? -input.dy : input.dy, cell_y, walk.y);
-  return std::max(G::common_level(walk.x, cell_x, end_x, input.dx < 0),
-                  G::common_level(walk.y, cell_y, end_y, input.dy < 0));
+  ray.end_x = end_cell(ray.x, origin_x, input.dx < 0 ? -input.dx : input.dx, cell_x, walk.x);
+  ray.end_y = end_cell(ray.y, origin_y, input.dy < 0 ? -input.dy : input.dy, cell_y, walk.y);
+}
+
+/// The ray, just gone down one level at time `t`, goes on down while the child it is in holds the end cell.
+template <class A, class G>
+void descend_to_common(const Walk<A, G>& walk, RayState<A, G>& ray, typename A::Time t) {
+  while (ray.level > walk.schedule.stop_level) {
+    G x = ray.gx, y = ray.gy;
+    x.descend(A::at(ray.x, x.middle_plane(walk.x, ray.level)) <= t);
+    y.descend(A::at(ray.y, y.middle_plane(walk.y, ray.level)) <= t);
+    if (!x.holds(walk.x, ray.level - 1, ray.end_x) || !y.holds(walk.y, ray.level - 1, ray.end_y)) return;
+    ray.gx = x;
+    ray.gy = y;
+    --ray.level;
+  }
 }
 
 }  // namespace traversal_detail
@@ -133,9 +146,13 @@ Visit start(const Walk<A, G>& walk, const MachineRay& input, RayState<A, G>& ray
   const int64_t cell_y = A::cell_at(ray.y, y0, dy, t_start, walk.format);
   ray.level = walk.map.root_level;
   if (walk.schedule.start == StartRule::kLeaf) ray.level = walk.schedule.stop_level;
-  if (walk.schedule.start == StartRule::kSpan) {
-    ray.level = std::max(walk.schedule.stop_level,
-                         traversal_detail::span_level(walk, ray, input, x0, y0, cell_x, cell_y));
+  const bool span = walk.schedule.start == StartRule::kSpan;
+  if (span || walk.schedule.down == kDownCommon) {
+    traversal_detail::set_end_cell(walk, ray, input, x0, y0, cell_x, cell_y);
+  }
+  if (span) {
+    ray.level = std::max({walk.schedule.stop_level, G::common_level(walk.x, cell_x, ray.end_x, flip_x),
+                          G::common_level(walk.y, cell_y, ray.end_y, flip_y)});
   }
   ray.gx.start(walk.x, cell_x, flip_x);
   ray.gy.start(walk.y, cell_y, flip_y);
@@ -244,6 +261,8 @@ inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
   if (ray.down > 1) {
     if (skip) {
       ray.down = 1;
+    } else if (ray.down == kDownCommon) {
+      traversal_detail::descend_to_common(walk, ray, reached);
     } else {
       for (int left = std::min(ray.down, level - stop_level) - 1; left > 0; --left) {
         ray.gx.descend(A::at(ray.x, ray.gx.middle_plane(walk.x, ray.level)) <= reached);
@@ -287,19 +306,21 @@ HitRecord traverse_ray(const Walk<A, G>& walk, const MachineRay& input, Fetch&& 
 /// Calls `body.template operator()<A, G>()` with the arithmetic and the geometry that fit.
 template <class Body>
 decltype(auto) with_traversal_types(Arithmetic arithmetic, const MapShape& map, Body&& body) {
-  const bool plain = map.is_square_power_of_two();
+  auto with_geometry = [&]<class A>() -> decltype(auto) {
+    if (map.address_mode == AddressMode::kMirror) return body.template operator()<A, MirrorAxis>();
+    if (map.address_mode == AddressMode::kClamp) return body.template operator()<A, ClampAxis>();
+    return map.is_square_power_of_two() ? body.template operator()<A, PlainAxis>()
+                                        : body.template operator()<A, TiledAxis>();
+  };
   switch (arithmetic) {
     case Arithmetic::kFloat:
-      return plain ? body.template operator()<FloatArithmetic, PlainAxis>()
-                   : body.template operator()<FloatArithmetic, TiledAxis>();
+      return with_geometry.template operator()<FloatArithmetic>();
     case Arithmetic::kDouble:
-      return plain ? body.template operator()<DoubleArithmetic, PlainAxis>()
-                   : body.template operator()<DoubleArithmetic, TiledAxis>();
+      return with_geometry.template operator()<DoubleArithmetic>();
     case Arithmetic::kFixed:
       break;
   }
-  return plain ? body.template operator()<FixedArithmetic, PlainAxis>()
-               : body.template operator()<FixedArithmetic, TiledAxis>();
+  return with_geometry.template operator()<FixedArithmetic>();
 }
 
 }  // namespace cuesta

@@ -42,6 +42,15 @@ class CompareCommand : public Command {
     Result result = begin_result("compare", session);
     add_inputs(machines, result);
 
+    for (const ResolvedArchitecture& machine : machines) {
+      const size_t runs = distinct_on(machine.architecture, algorithms).size();
+      if (runs == algorithms.size() || session.quiet) continue;
+      std::fprintf(stderr,
+                   "On %s, whose [traverse] section sets parts of the schedule, %zu algorithms are %zu "
+                   "different schedules: each is run once.\n",
+                   machine.architecture.name.c_str(), algorithms.size(), runs);
+    }
+
     // Every scene file is read and the folder is made before the work, so that a fault shows at once.
     const std::vector<std::string> names = scene_names(changes);
     const std::string stem = names.size() == 1 ? names[0] : std::to_string(names.size()) + "-scenes";
@@ -53,7 +62,10 @@ class CompareCommand : public Command {
       remark_inputs(session, job, machines);
       measure_all(session, job, algorithms, machines, fidelity, result);
     }
-    const size_t planned = scenes_.size() * machines.size() * algorithms.size();
+    size_t planned = 0;
+    for (const ResolvedArchitecture& machine : machines) {
+      planned += scenes_.size() * distinct_on(machine.architecture, algorithms).size();
+    }
     return finish_result(result, planned, machines, fidelity, folder, options_, start);
   }
 
@@ -75,7 +87,7 @@ class CompareCommand : public Command {
                           Result& result) {
     Measurer measurer(job);
     for (const ResolvedArchitecture& machine : machines) {
-      for (const Algorithm& algorithm : algorithms) {
+      for (const Algorithm& algorithm : distinct_on(machine.architecture, algorithms)) {
         if (stop_requested()) return;
         std::string label(algorithm.id);
         if (machines.size() > 1) label += " on " + machine.architecture.name;

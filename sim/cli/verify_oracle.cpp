@@ -19,7 +19,7 @@ constexpr int kRaysPerMap = 50;
 class VerifyOracleCommand : public Command {
  public:
   void declare(CLI::App& app) override {
-    app.add_option("--rays", rays_, "Rays to check; each is walked under 80 schedules in 3 arithmetics")
+    app.add_option("--rays", rays_, "Rays to check; each is walked under 104 schedules in 3 arithmetics")
         ->check(CLI::Range(int64_t{1}, int64_t{1000000000}))
         ->capture_default_str();
     app.add_option("--seed", seed_, "Seed of maps and rays")->capture_default_str();

@@ -27,7 +27,20 @@ const Preset* find_preset(std::string_view name) {
 
 int64_t read_value(const Parameter& parameter, const TomlTable& section) {
   const std::string_view key = parameter.key();
-  if (!parameter.names.empty()) return static_cast<int64_t>(section.choice(key, parameter.names));
+  if (!parameter.names.empty()) {
+    // `down = 2` is as good as `down = "2"`.
+    if (!section.is_text(key)) {
+      const auto names = std::span(parameter.names).subspan(1);
+      const bool numbers = std::find(names.begin(), names.end(), "1") != names.end();
+      if (numbers) {
+        const std::string digits = std::to_string(section.integer(key, {-1000, 1000}));
+        const auto at = std::find(parameter.names.begin(), parameter.names.end(), digits);
+        if (at != parameter.names.end()) return at - parameter.names.begin();
+        throw section.error(key, "is " + digits + "; accepted is " + parameter.accepted() + ".");
+      }
+    }
+    return static_cast<int64_t>(section.choice(key, parameter.names));
+  }
   const int64_t value = section.integer(key, {parameter.low, parameter.high});
   if (parameter.power_of_two && !std::has_single_bit(static_cast<uint64_t>(value))) {
     throw section.error(key, "is " + std::to_string(value) + "; accepted is " + parameter.accepted() + ".");

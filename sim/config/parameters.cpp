@@ -24,6 +24,16 @@ constexpr auto kLayouts = [] {
   return names;
 }();
 
+constexpr std::string_view kStarts[] = {"algorithm", "root", "leaf", "span"};
+constexpr std::string_view kDowns[] = {"algorithm", "1", "2", "3", "common"};
+constexpr std::string_view kUps[] = {"algorithm", "never",     "always",         "interval", "even-axis",
+                                     "both-even", "selective", "selective-even", "coherent"};
+constexpr std::string_view kStops[] = {"algorithm", "0", "1", "2",  "3",  "4",  "5",  "6",
+                                       "7",         "8", "9", "10", "11", "12", "13", "14"};
+constexpr std::string_view kFetches[] = {"algorithm", "texel", "quad"};
+static_assert(std::size(kStops) == kMostStopLevel + 2);
+constexpr int down_value(int index) { return index == 3 ? kDownCommon : index + 1; }
+
 template <auto Section, auto Member>
 struct Bound {
   using Value = std::remove_cvref_t<decltype((std::declval<Architecture&>().*Section).*Member)>;
@@ -51,6 +61,34 @@ constexpr Parameter name(std::string_view path, std::span<const std::string_view
   using B = Bound<Section, Member>;
   return {path,   0,     static_cast<int64_t>(names.size()) - 1, names, false, use, "", meaning, source,
           B::get, B::set};
+}
+
+/// A choice of the schedule; the first name, none, leaves it to the algorithm.
+template <auto Member, int (*ValueOf)(int)>
+struct Choice {
+  using Value =
+      typename std::remove_cvref_t<decltype(std::declval<TraverseParameters&>().*Member)>::value_type;
+  static int64_t get(const Architecture& a) {
+    const auto& value = a.traverse.*Member;
+    int index = 0;
+    while (value && static_cast<Value>(ValueOf(index)) != *value) ++index;
+    return value ? index + 1 : 0;
+  }
+  static void set(Architecture& a, int64_t index) {
+    auto& value = a.traverse.*Member;
+    value.reset();
+    if (index > 0) value = static_cast<Value>(ValueOf(static_cast<int>(index) - 1));
+  }
+};
+
+constexpr int same(int index) { return index; }
+
+template <auto Member, int (*ValueOf)(int) = same>
+constexpr Parameter choice(std::string_view path, std::span<const std::string_view> names,
+                           std::string_view meaning) {
+  using C = Choice<Member, ValueOf>;
+  return {path,   0,     static_cast<int64_t>(names.size()) - 1, names, false, kHits, "", meaning, "ours",
+          C::get, C::set};
 }
 
 using A = Architecture;
@@ -129,6 +167,20 @@ constexpr auto kParameters = std::to_array<Parameter>({
         "Bits of a reciprocal's mantissa; 0 stands for the map's height bits + 4, 1 is not accepted.", kOurs),
     number<&A::traverse, &Traverse::tile_bits>("traverse.tile_bits", 0, 20, kHits, "bits",
                                                "A ray crosses at most 2^tile_bits tiles of the map.", kOurs),
+    choice<&Traverse::start>(
+        "traverse.start", kStarts,
+        "Where rays enter the pyramid: \"algorithm\" is the algorithm's own choice, here and in "
+        "the four below; another value takes its place, and the run is named by what results."),
+    choice<&Traverse::down, down_value>("traverse.down", kDowns,
+                                        "Levels per descent before the first crossing; common: to the "
+                                        "smallest node that holds the ray's cell and "
+                                        "its end cell. Without effect from the leaves."),
+    choice<&Traverse::up>("traverse.up", kUps, "When a ray that has crossed goes up one level."),
+    choice<&Traverse::stop_level>(
+        "traverse.stop_level", kStops,
+        "Level of the leaves; above 0 they are the texels of the mean pyramid. At most the map's root."),
+    choice<&Traverse::fetch>("traverse.fetch", kFetches,
+                             "What a visit reads: its texel, or its 2 x 2 siblings, which the ray keeps."),
 
     power<&A::height_l1, &L1::size_bytes>("height_l1.size_bytes", 16, 1 << 24, "bytes",
                                           "Data bytes of each pipeline's private cache of pyramid texels.",

@@ -77,8 +77,8 @@ TEST(Parameters, AreDistinctAndTheirDefaultsAreAccepted) {
 }
 
 TEST(Parameters, CoverEveryFieldOfTheMachine) {
-  // 3 + 6 + 3 + 7 + 4 + 1 + 2 + 12 + 1 fields in models/architecture.h and models/memory/dram_parameters.h.
-  EXPECT_EQ(parameters().size(), 39u);
+  // 3 + 6 + 3 + 12 + 4 + 1 + 2 + 12 + 1 fields in models/architecture.h and models/memory/dram_parameters.h.
+  EXPECT_EQ(parameters().size(), 44u);
   EXPECT_EQ(parameter_sections().size(), 9u);
 }
 
@@ -240,6 +240,27 @@ TEST_F(ArchitectureFile, ResolvedTextReadsBackAsTheSameMachine) {
       EXPECT_EQ(values(resolve(path).architecture), values(resolved.architecture)) << preset.name;
     }
   }
+}
+
+TEST(ScheduleParameters, LeaveTheScheduleToTheAlgorithmUnlessSet) {
+  const TraverseParameters mobile = resolve("mobile").architecture.traverse;
+  EXPECT_FALSE(mobile.start || mobile.down || mobile.up || mobile.stop_level || mobile.fetch);
+  const TraverseParameters set =
+      resolve("mobile",
+              {"traverse.start=\"span\"", "traverse.down=2", "traverse.up=\"both-even\"",
+               "traverse.stop_level=3", "traverse.fetch=\"quad\""},
+              false)
+          .architecture.traverse;
+  EXPECT_EQ(set.start, StartRule::kSpan);
+  EXPECT_EQ(set.down, 2);
+  EXPECT_EQ(set.up, UpRule::kBothEven);
+  EXPECT_EQ(set.stop_level, 3);
+  EXPECT_EQ(set.fetch, FetchRule::kQuad);
+  EXPECT_EQ(resolve("mobile", {"traverse.down=\"common\""}).architecture.traverse.down, kDownCommon);
+  EXPECT_EQ(resolve("mobile", {"traverse.down=\"3\""}).architecture.traverse.down, 3);
+  EXPECT_SAYS(refusal("mobile", {"traverse.down=4"}), "accepted is one of algorithm, 1, 2, 3, common");
+  EXPECT_SAYS(refusal("mobile", {"traverse.stop_level=15"}), "accepted is one of algorithm, 0, 1");
+  EXPECT_SAYS(refusal("mobile", {"traverse.up=\"selectiv\""}), "did you mean `selective`?");
 }
 
 TEST(Words, EditDistanceCountsInsertDeleteChangeAndSwap) {

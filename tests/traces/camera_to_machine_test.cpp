@@ -45,7 +45,7 @@ TEST(CameraToMachine, NoHitLiesBeyondThePlane) {
     Random random(static_cast<uint64_t>(n));
     Scene scene;
     scene.width = scene.height = 64;
-    scene.address_mode = n % 4 == 0 ? AddressMode::kBorder : AddressMode::kWrap;
+    scene.address_mode = static_cast<AddressMode>(n % 4);
     if (n % 4 != 0) scene.tiles[0] = scene.tiles[1] = 1 + n % 3;
     scene.depth = n % 2 ? 0.1 : 0.5;
     scene.camera.angle_degrees = 89 * random.unit();

@@ -72,6 +72,11 @@ TEST(Scene, OtherFormsArrive) {
   EXPECT_EQ(scene.generated.bits, 6);
   EXPECT_EQ(scene.generated.seed, 9u);
   EXPECT_EQ(scene.address_mode, AddressMode::kBorder);
+  for (const AddressMode mode : {AddressMode::kWrap, AddressMode::kMirror, AddressMode::kClamp}) {
+    const std::string text =
+        kHeightmap + "address_mode = \"" + std::string(name_of(mode)) + "\"\n[surface]\ntiles = [3, 2]\n";
+    EXPECT_EQ(parse_scene(text, "a.toml", "").address_mode, mode);
+  }
   EXPECT_FALSE(scene.camera.by_angle);
   EXPECT_EQ(scene.camera.position[1], 2);
   EXPECT_EQ(scene.camera.look_at[2], 0);
@@ -97,7 +102,7 @@ TEST(Scene, MistakesNameFileLineKeyAndWhatIsAccepted) {
   expect("[heightmap]\ngenerate = { kind = \"rocks\", size = 8, width = 8 }\n",
          {"a.toml:2", "width", "size"});
   expect(kHeightmap + "adress_mode = \"wrap\"\n", {"a.toml:3", "address_mode"});
-  expect(kHeightmap + "address_mode = \"mirror\"\n", {"a.toml:3", "wrap", "border"});
+  expect(kHeightmap + "address_mode = \"mirrors\"\n", {"a.toml:3", "wrap, border, mirror, clamp"});
   expect(kHeightmap + "bits = 17\n", {"a.toml:3", "16"});
   expect(kHeightmap + "bits = \"8\"\n", {"a.toml:3"});
   expect(kHeightmap + "normalise = \"range\"\n", {"a.toml:3", "range"});

@@ -63,6 +63,18 @@ Architecture random_architecture(Random& random) {
   return a;
 }
 
+Schedule random_schedule(Random& random, int root_level) {
+  Schedule schedule = algorithms()[random.below(algorithms().size())].schedule;
+  if (random.chance(0.5)) {
+    schedule.start = static_cast<StartRule>(random.below(start_names().size()));
+    schedule.down = down_values()[random.below(down_values().size())];
+    schedule.up = static_cast<UpRule>(random.below(up_names().size()));
+  }
+  if (random.chance(0.2)) schedule.stop_level = static_cast<int>(random.between(0, root_level));
+  if (random.chance(0.5)) schedule.fetch = FetchRule::kQuad;
+  return schedule;
+}
+
 PortStalls random_stalls(Random& random) {
   PortStalls stalls;
   stalls.seed = random.next();
@@ -94,7 +106,7 @@ Workload RandomMachine::work() const {
   work.pixel_of_ray = pixels;
   work.width = width;
   work.height = height;
-  work.schedule = find_algorithm(schedule)->schedule;
+  work.schedule = schedule;
   return work;
 }
 
@@ -105,14 +117,14 @@ RandomMachine random_machine(uint64_t seed, int most_rays) {
   machine.architecture = random_architecture(random);
   machine.stalled = random.chance(0.7);
   if (machine.stalled) machine.stalls = random_stalls(random);
-  machine.schedule = algorithms()[random.below(algorithms().size())].id;
 
   const bool any_map = random.chance(0.2);
   RandomMap map = random_map(random.next(), 64);
   while (!any_map && (map.grid.width < 9 || map.grid.height < 9)) map = random_map(random.next(), 64);
   if (!any_map && random.chance(0.6)) map.shape.address_mode = AddressMode::kWrap;
   map.format.tile_bits = std::min(map.format.tile_bits, 4);
-  machine.pyramid = build_max_pyramid(map.grid);
+  machine.schedule = random_schedule(random, map.shape.root_level);
+  machine.pyramid = build_stopped_pyramid(build_max_pyramid(map.grid), machine.schedule.stop_level);
   machine.map = map.shape;
   TraverseParameters& traverse = machine.architecture.traverse;
   traverse.fraction_bits = map.format.fraction_bits;
@@ -149,10 +161,10 @@ RandomMachine random_machine(uint64_t seed, int most_rays) {
 
 std::string describe(const RandomMachine& machine) {
   std::ostringstream text;
-  text << "seed " << machine.seed << ": " << machine.schedule << ", map " << machine.map.width << " x "
-       << machine.map.height << ", " << machine.map.bits << " bits, "
-       << (machine.map.address_mode == AddressMode::kWrap ? "wrap" : "border") << ", " << machine.rays.size()
-       << " rays on " << machine.width << " x " << machine.height << " pixels\nstalls per mille:";
+  text << "seed " << machine.seed << ": " << name_of(machine.schedule) << ", map " << machine.map.width
+       << " x " << machine.map.height << ", " << machine.map.bits << " bits, "
+       << name_of(machine.map.address_mode) << ", " << machine.rays.size() << " rays on " << machine.width
+       << " x " << machine.height << " pixels\nstalls per mille:";
   if (machine.stalled) {
     for (const uint16_t chance : machine.stalls.per_mille) text << ' ' << chance;
   } else {

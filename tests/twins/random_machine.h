@@ -20,7 +20,7 @@ struct RandomMachine {
   bool stalled = false;  ///< false: no stalls at all
   Pyramid pyramid;
   MapShape map;
-  std::string schedule;
+  Schedule schedule;
   std::vector<MachineRay> rays;
   std::vector<uint32_t> pixels;
   int width = 1, height = 1;
@@ -29,7 +29,7 @@ struct RandomMachine {
 };
 
 /// Everything follows from the seed: 1 to 4 pipelines; queues, caches and limits down to 1; clock ratios; any
-/// algorithm, arithmetic, order and layout; a map of at most 64 x 64; at most `most_rays` rays, now
+/// schedule, arithmetic, order and layout; a map of at most 64 x 64; at most `most_rays` rays, now
 /// and then 12 times as many, now and then none.
 RandomMachine random_machine(uint64_t seed, int most_rays);
 

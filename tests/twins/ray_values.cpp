@@ -10,7 +10,7 @@ class TypedRayValues final : public RayValues {
  public:
   TypedRayValues(TexelLayoutKind layout, const Pyramid& pyramid, const MapShape& map,
                  const NumberFormat& format, const Schedule& schedule, std::span<const MachineRay> rays)
-      : walk_(map, format, schedule, pyramid.at(pyramid.root_level(), 0, 0)),
+      : walk_(map, format, schedule, pyramid.highest()),
         layout_(layout, pyramid),
         pyramid_(pyramid),
         rays_(rays),

@@ -104,6 +104,32 @@ TEST(Pyramid, MeanRoundsHalfUpFromTheTexelsAndNotFromTheLevelBelow) {
   EXPECT_EQ(chained.at(2, 0, 0), 0);
 }
 
+TEST(Pyramid, AStoppedOneHoldsTheMeansAtItsLevelTheMaximaAboveAndTheWholeMapsHighest) {
+  Random random(3);
+  for (auto [width, height] : sizes(random)) {
+    if (width * height > 20000) continue;
+    const Pyramid max = build_max_pyramid(random_grid(width, height, 8, random));
+    HeightGrid grid{width, height, 8, {max.level(0), max.level(0) + static_cast<ptrdiff_t>(width) * height}};
+    for (int stop = 0; stop <= max.root_level(); ++stop) {
+      const Pyramid stopped = build_stopped_pyramid(max, stop);
+      EXPECT_EQ(stopped.highest(), node_truth(grid, max.root_level(), 0, 0).max);
+      EXPECT_EQ(stopped.lowest_level(), stop);
+      EXPECT_EQ(stopped.root_level(), max.root_level());
+      for (int level = stop; level <= max.root_level(); ++level) {
+        ASSERT_EQ(stopped.width(level), max.width(level));
+        for (int j = 0; j < max.height(level); ++j) {
+          for (int i = 0; i < max.width(level); ++i) {
+            const NodeTruth truth = node_truth(grid, level, i, j);
+            ASSERT_EQ(stopped.at(level, i, j), level == stop ? truth.mean : truth.max)
+                << width << " x " << height << ", stop " << stop << ", node " << level << ", " << i << ", "
+                << j;
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Pyramid, MeanOfALargeFlatMapOfFullScaleDoesNotOverflow) {
   HeightGrid grid{4096, 2049, 16, {}};
   grid.texels.assign(size_t{4096} * 2049, 65535);

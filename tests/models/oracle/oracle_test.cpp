@@ -161,14 +161,14 @@ TEST(Oracle, RefusesToBruteForceMoreCellsThanAllowed) {
 
 TEST(OracleSpan, IsTheNodeThatHoldsTheLeafInBothDirections) {
   // Five leaves, level 1: nodes [0,2) [2,4) [4,5). Seen mirrored, leaf 0 is leaf 4, in node 2 = planes [0, 1).
-  const OracleSpan plain = oracle_span(4, false, 5, 1);
+  const OracleSpan plain = oracle_span(4, false, 5, 1, AddressMode::kWrap);
   EXPECT_EQ(std::tuple(plain.lower, plain.upper, plain.index, plain.stored), std::tuple(4, 5, 2, 2));
-  const OracleSpan mirrored = oracle_span(0, true, 5, 1);
+  const OracleSpan mirrored = oracle_span(0, true, 5, 1, AddressMode::kWrap);
   EXPECT_EQ(std::tuple(mirrored.lower, mirrored.upper, mirrored.index, mirrored.stored),
             std::tuple(0, 1, 2, 2));
-  const OracleSpan next = oracle_span(1, true, 5, 1);
+  const OracleSpan next = oracle_span(1, true, 5, 1, AddressMode::kWrap);
   EXPECT_EQ(std::tuple(next.lower, next.upper, next.index, next.stored), std::tuple(1, 3, 1, 1));
-  const OracleSpan tile = oracle_span(-1, false, 5, 1);  // the tile before
+  const OracleSpan tile = oracle_span(-1, false, 5, 1, AddressMode::kWrap);  // the tile before
   EXPECT_EQ(std::tuple(tile.lower, tile.upper, tile.index, tile.stored), std::tuple(-1, 0, -1, 2));
 }
 

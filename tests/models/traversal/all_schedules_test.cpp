@@ -84,11 +84,15 @@ void check_on(const RandomMap& map, int rays) {
 TEST(Traversal, AllSchedulesReturnTheSameExactHitAtTheLongestSide) {
   check_on(tall_and_rare(16384, 1, 16, AddressMode::kWrap), 40);
   check_on(tall_and_rare(3, 16383, 16, AddressMode::kBorder), 40);
+  check_on(tall_and_rare(16383, 2, 16, AddressMode::kMirror), 40);
+  check_on(tall_and_rare(5, 16384, 16, AddressMode::kClamp), 40);
 }
 
 TEST(Traversal, AllSchedulesReturnTheSameExactHitOnASquarePowerOfTwo) {
   check_on(tall_and_rare(256, 256, 8, AddressMode::kWrap), 400);
   check_on(tall_and_rare(256, 256, 16, AddressMode::kBorder), 400);
+  check_on(tall_and_rare(256, 256, 8, AddressMode::kMirror), 100);
+  check_on(tall_and_rare(256, 256, 16, AddressMode::kClamp), 100);
 }
 
 TEST(Traversal, StoppedAboveTheTexelsTheMeanPyramidIsTheSurface) {
