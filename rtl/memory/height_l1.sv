@@ -1,0 +1,276 @@
+// height_l1: the private cache of pyramid texels of one pipeline; non-blocking, misses parked and merged.
+//
+// Ports: one lookup a cycle, answered in the same cycle; replays and retries offered to traverse; requests out
+// (valid/ready, in order of allocation); fills in, always taken. The texel follows one enabled cycle later.
+// Timing: a lookup in cycle c sees the lines that had landed by c - 1. A miss allocates the free MSHR of lowest
+// index, or is merged into the pending one of its line, or, with none free, goes to the retry FIFO (a place for
+// every context). A request leaves in the cycle of its allocation at the earliest. The waiters of a fill that
+// lands in c are replayed from c + 1 on, with the texel, without another lookup; the MSHR is free in the cycle
+// after its last waiter went. The victim, the least recently used way, is chosen and made most recently used at
+// allocation; its old line can be read until the fill lands.
+
+module height_l1 #(
+    parameter int unsigned SizeBytes = 16384,
+    parameter int unsigned LineBytes = 64,
+    parameter int unsigned Ways = 4,
+    parameter int unsigned Mshrs = 8,
+    parameter int unsigned Contexts = 32,
+    parameter int unsigned AddressBits = 24,
+    parameter int unsigned HeightBits = 8,
+    // Widths that follow.
+    parameter int unsigned ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1,
+    parameter int unsigned MshrBits = (Mshrs > 1) ? $clog2(Mshrs) : 1
+) (
+    input logic clk_i,
+    input logic rst_ni,
+
+    input  logic                   enable_i,          // the pipe moves: the texel of this cycle's ray follows
+    input  logic                   lookup_valid_i,
+    input  logic                   lookup_retry_i,
+    input  logic [AddressBits-1:0] lookup_address_i,  // bytes
+    input  logic [ContextBits-1:0] lookup_context_i,
+    output logic                   lookup_hit_o,
+    output logic                   replay_valid_o,
+    input  logic                   replay_take_i,
+    output logic [ContextBits-1:0] replay_context_o,
+    output logic                   retry_valid_o,
+    output logic [ContextBits-1:0] retry_context_o,
+    output logic [ HeightBits-1:0] texel_o,
+
+    output logic                   request_valid_o,
+    input  logic                   request_ready_i,
+    output logic [   MshrBits-1:0] request_mshr_o,
+    output logic [AddressBits-1:0] request_address_o,
+    input  logic                   fill_valid_i,
+    input  logic [   MshrBits-1:0] fill_mshr_i,
+    input  logic [8*LineBytes-1:0] fill_data_i,
+
+    output logic              miss_o,     // allocated
+    output logic              merge_o,
+    output logic              refuse_o,
+    output logic              evict_o,    // a fill replaces a line
+    output logic [MshrBits:0] mshrs_o     // taken
+);
+
+  localparam int unsigned OffsetBits = $clog2(LineBytes);
+  localparam int unsigned Sets = SizeBytes / LineBytes / Ways;
+  localparam int unsigned SetBits = (Sets > 1) ? $clog2(Sets) : 1;
+  localparam int unsigned LineBits = AddressBits - OffsetBits;
+  localparam int unsigned WayBits = (Ways > 1) ? $clog2(Ways) : 1;
+  localparam int unsigned Lines = Sets * Ways;
+  localparam int unsigned LineIndexBits = (Lines > 1) ? $clog2(Lines) : 1;
+  localparam int unsigned WordBytes = 4;
+  localparam int unsigned Words = LineBytes / WordBytes;
+  localparam int unsigned WordBits = OffsetBits - 2;
+  localparam int unsigned TexelBytes = (HeightBits > 8) ? 2 : 1;
+
+  // ---- Tags and ages. A way that was chosen as a victim keeps its old line until the fill lands.
+  logic [Lines-1:0] valid_q;
+  logic [LineBits-1:0] line_q[Lines];           // set-major
+  logic [Sets-1:0] used_q;                        // sets ever used
+  logic [Ways*WayBits-1:0] oldest_first_q[Sets];  // ways of a set, the least recently used in the lowest bits
+
+  // ---- MSHRs
+  logic [Mshrs-1:0] taken_q, pending_q;  // pending: the line has not landed
+  logic [LineBits-1:0] mshr_line_q[Mshrs];
+  logic [WayBits-1:0] mshr_way_q[Mshrs];
+  logic [ContextBits-1:0] first_q[Mshrs];  // waiters: a chain of contexts
+  logic [ContextBits-1:0] last_q[Mshrs];
+  logic [ContextBits-1:0] next_q[Contexts];
+  logic [MshrBits:0] mshr_fill_q;
+
+  // ---- FIFOs: requests to send, landed MSHRs, refused contexts
+  logic [MshrBits-1:0] request_q[Mshrs];
+  logic [MshrBits-1:0] request_read_q, request_write_q;
+  logic [MshrBits:0] request_fill_q;
+  logic [MshrBits-1:0] landed_q[Mshrs];
+  logic [MshrBits-1:0] landed_read_q, landed_write_q;
+  logic [MshrBits:0] landed_fill_q;
+  logic [ContextBits-1:0] retry_q[Contexts];
+  logic [ContextBits-1:0] retry_read_q, retry_write_q;
+  logic [ContextBits:0] retry_fill_q;
+
+  function automatic logic [MshrBits-1:0] next_mshr(input logic [MshrBits-1:0] pointer);
+    next_mshr = (pointer == MshrBits'(Mshrs - 1)) ? '0 : pointer + 1'b1;
+  endfunction
+  function automatic logic [ContextBits-1:0] next_context(input logic [ContextBits-1:0] pointer);
+    next_context = (pointer == ContextBits'(Contexts - 1)) ? '0 : pointer + 1'b1;
+  endfunction
+
+  // ---- Lookup
+  wire [LineBits-1:0] line = lookup_address_i[AddressBits-1:OffsetBits];
+  wire [SetBits-1:0] set = (Sets > 1) ? line[SetBits-1:0] : '0;
+  logic [Ways*WayBits-1:0] ages;
+  always_comb begin
+    ages = oldest_first_q[set];
+    // Ways never used are chosen in the order of their numbers.
+    if (!used_q[set]) begin
+      for (int unsigned w = 0; w < Ways; w++) ages[w*WayBits+:WayBits] = WayBits'(w);
+    end
+  end
+  logic found;
+  logic [WayBits-1:0] found_way;
+  always_comb begin
+    found = 1'b0;
+    found_way = '0;
+    for (int unsigned w = 0; w < Ways; w++) begin
+      if (valid_q[32'(set)*Ways+w] && line_q[32'(set)*Ways+w] == line) begin
+        found = 1'b1;
+        found_way = WayBits'(w);
+      end
+    end
+  end
+
+  logic merges;
+  logic [MshrBits-1:0] merge_mshr, free_mshr;
+  always_comb begin
+    merges = 1'b0;
+    merge_mshr = '0;
+    free_mshr = '0;
+    for (int unsigned m = 0; m < Mshrs; m++) begin
+      if (pending_q[m] && mshr_line_q[m] == line) begin
+        merges = 1'b1;
+        merge_mshr = MshrBits'(m);
+      end
+      if (!taken_q[Mshrs-1-m]) free_mshr = MshrBits'(Mshrs - 1 - m);
+    end
+  end
+  wire all_taken = &taken_q;
+  assign lookup_hit_o = found;
+  assign merge_o = lookup_valid_i & ~found & merges;
+  assign miss_o = lookup_valid_i & ~found & ~merges & ~all_taken;
+  assign refuse_o = lookup_valid_i & ~found & ~merges & all_taken;
+
+  wire [WayBits-1:0] victim = ages[WayBits-1:0];
+  wire touches = lookup_valid_i & (found | miss_o);
+  wire [WayBits-1:0] touched = found ? found_way : victim;
+  logic [Ways*WayBits-1:0] ages_d;
+  always_comb begin
+    ages_d = ages;
+    for (int unsigned k = 0; k + 1 < Ways; k++) begin
+      // From the touched way's place on, each moves up one.
+      if (ages_d[k*WayBits+:WayBits] == touched) begin
+        ages_d[k*WayBits+:WayBits] = ages[(k+1)*WayBits+:WayBits];
+        ages_d[(k+1)*WayBits+:WayBits] = touched;
+      end
+    end
+  end
+
+  // ---- Replays and retries
+  wire [MshrBits-1:0] head = landed_q[landed_read_q];
+  wire last_waiter = first_q[head] == last_q[head];
+  wire frees = replay_take_i & last_waiter;
+  assign replay_valid_o = landed_fill_q != '0;
+  assign replay_context_o = first_q[head];
+  assign retry_valid_o = (retry_fill_q != '0) & ~all_taken;
+  assign retry_context_o = retry_q[retry_read_q];
+
+  // ---- Requests: the MSHR allocated in this cycle if none waits
+  wire request_waits = request_fill_q != '0;
+  wire request_leaves = request_valid_o & request_ready_i;
+  assign request_valid_o = request_waits | miss_o;
+  assign request_mshr_o = request_waits ? request_q[request_read_q] : free_mshr;
+  assign request_address_o = {request_waits ? mshr_line_q[request_q[request_read_q]] : line, {OffsetBits{1'b0}}};
+
+  // ---- Fills
+  wire [LineBits-1:0] fill_line = mshr_line_q[fill_mshr_i];
+  wire [SetBits-1:0] fill_set = (Sets > 1) ? fill_line[SetBits-1:0] : '0;
+  wire [LineIndexBits-1:0] fill_index = LineIndexBits'(32'(fill_set) * Ways + 32'(mshr_way_q[fill_mshr_i]));
+  assign evict_o = fill_valid_i & valid_q[fill_index];
+  assign mshrs_o = mshr_fill_q;
+
+  // ---- Data: banks of one word, for lines and for landed MSHRs
+  wire [LineIndexBits-1:0] read_index = LineIndexBits'(32'(set) * Ways + 32'(found_way));
+  logic [OffsetBits-1:0] offset_q;
+  logic replayed_q;
+  logic [31:0] line_words[Words];
+  logic [31:0] mshr_words[Words];
+  for (genvar b = 0; b < Words; b++) begin : gen_bank
+    logic [31:0] line_bank_q[Lines];
+    logic [31:0] mshr_bank_q[Mshrs];
+    logic [31:0] line_word_q, mshr_word_q;
+    always_ff @(posedge clk_i) begin
+      if (fill_valid_i) begin
+        line_bank_q[fill_index] <= fill_data_i[b*32+:32];
+        mshr_bank_q[fill_mshr_i] <= fill_data_i[b*32+:32];
+      end
+      if (enable_i && lookup_address_i[OffsetBits-1:2] == WordBits'(b)) begin
+        if (replay_take_i) mshr_word_q <= mshr_bank_q[head];
+        else line_word_q <= line_bank_q[read_index];
+      end
+    end
+    assign line_words[b] = line_word_q;
+    assign mshr_words[b] = mshr_word_q;
+  end
+  wire [31:0] word = replayed_q ? mshr_words[offset_q[OffsetBits-1:2]] : line_words[offset_q[OffsetBits-1:2]];
+  assign texel_o = (TexelBytes == 1) ? HeightBits'(word >> {offset_q[1:0], 3'b000})
+                                     : HeightBits'(word >> {offset_q[1], 4'b0000});
+
+  always_ff @(posedge clk_i or negedge rst_ni) begin
+    if (!rst_ni) begin
+      valid_q <= '0;
+      used_q <= '0;
+      taken_q <= '0;
+      pending_q <= '0;
+      mshr_fill_q <= '0;
+      request_read_q <= '0;
+      request_write_q <= '0;
+      request_fill_q <= '0;
+      landed_read_q <= '0;
+      landed_write_q <= '0;
+      landed_fill_q <= '0;
+      retry_read_q <= '0;
+      retry_write_q <= '0;
+      retry_fill_q <= '0;
+    end else begin
+      if (touches) used_q[set] <= 1'b1;
+      if (miss_o) begin
+        taken_q[free_mshr] <= 1'b1;
+        pending_q[free_mshr] <= 1'b1;
+        if (!(request_leaves && !request_waits)) request_write_q <= next_mshr(request_write_q);
+      end
+      if (request_leaves && request_waits) request_read_q <= next_mshr(request_read_q);
+      request_fill_q <= request_fill_q + {{MshrBits{1'b0}}, miss_o} - {{MshrBits{1'b0}}, request_leaves};
+      if (refuse_o) retry_write_q <= next_context(retry_write_q);
+      if (lookup_retry_i) retry_read_q <= next_context(retry_read_q);
+      retry_fill_q <= retry_fill_q + {{ContextBits{1'b0}}, refuse_o} - {{ContextBits{1'b0}}, lookup_retry_i};
+      if (fill_valid_i) begin
+        valid_q[fill_index] <= 1'b1;
+        pending_q[fill_mshr_i] <= 1'b0;
+        landed_write_q <= next_mshr(landed_write_q);
+      end
+      if (frees) begin
+        taken_q[head] <= 1'b0;
+        landed_read_q <= next_mshr(landed_read_q);
+      end
+      landed_fill_q <= landed_fill_q + {{MshrBits{1'b0}}, fill_valid_i} - {{MshrBits{1'b0}}, frees};
+      mshr_fill_q <= mshr_fill_q + {{MshrBits{1'b0}}, miss_o} - {{MshrBits{1'b0}}, frees};
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (touches) oldest_first_q[set] <= ages_d;
+    if (miss_o) begin
+      mshr_line_q[free_mshr] <= line;
+      mshr_way_q[free_mshr] <= victim;
+      first_q[free_mshr] <= lookup_context_i;
+      last_q[free_mshr] <= lookup_context_i;
+      request_q[request_write_q] <= free_mshr;
+    end
+    if (merge_o) begin
+      next_q[last_q[merge_mshr]] <= lookup_context_i;
+      last_q[merge_mshr] <= lookup_context_i;
+    end
+    if (refuse_o) retry_q[retry_write_q] <= lookup_context_i;
+    if (replay_take_i && !last_waiter) first_q[head] <= next_q[first_q[head]];
+    if (fill_valid_i) begin
+      line_q[fill_index] <= fill_line;
+      landed_q[landed_write_q] <= fill_mshr_i;
+    end
+    if (enable_i) begin
+      offset_q <= lookup_address_i[OffsetBits-1:0];
+      replayed_q <= replay_take_i;
+    end
+  end
+
+endmodule

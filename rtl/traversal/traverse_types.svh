@@ -1,0 +1,31 @@
+// The words that model and hardware share: values of the configuration registers, with the order of the enums in
+// models/traversal/schedule.h and machine_ray.h. Every name is prefixed: $unit parameters are seen everywhere.
+`ifndef HMT_TRAVERSE_TYPES_SVH
+`define HMT_TRAVERSE_TYPES_SVH
+
+// verilator lint_off UNUSEDPARAM
+
+localparam logic [1:0] HmtStartRoot = 2'd0;
+localparam logic [1:0] HmtStartLeaf = 2'd1;
+localparam logic [1:0] HmtStartSpan = 2'd2;
+
+localparam logic [2:0] HmtUpNever = 3'd0;
+localparam logic [2:0] HmtUpAlways = 3'd1;
+localparam logic [2:0] HmtUpInterval = 3'd2;
+localparam logic [2:0] HmtUpEvenAxis = 3'd3;
+localparam logic [2:0] HmtUpBothEven = 3'd4;
+localparam logic [2:0] HmtUpSelective = 3'd5;
+localparam logic [2:0] HmtUpSelectiveEven = 3'd6;
+localparam logic [2:0] HmtUpCoherent = 3'd7;
+
+localparam logic [2:0] HmtFaceNone = 3'd0;
+localparam logic [2:0] HmtFaceTop = 3'd1;
+localparam logic [2:0] HmtFaceWallX = 3'd2;
+localparam logic [2:0] HmtFaceWallY = 3'd3;
+localparam logic [2:0] HmtFaceInside = 3'd4;
+
+localparam int unsigned HmtLevelBits = 4;  // of a level: root level at most 14
+
+// verilator lint_on UNUSEDPARAM
+
+`endif
