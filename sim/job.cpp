@@ -114,11 +114,11 @@ Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& chang
     check_memory(std::min(rays, pixels), pixels);
   }
 
-  const HeightGrid grid = load_grid(job);
-  job.pyramid = build_max_pyramid(grid);
-  job.map = {grid.width, grid.height, job.pyramid.root_level(), grid.bits, scene.address_mode};
+  job.pyramid = build_max_pyramid(load_grid(job));
+  const int width = job.pyramid.width(0), height = job.pyramid.height(0);
+  job.map = {width, height, job.pyramid.root_level(), job.pyramid.bits(), scene.address_mode};
 
-  job.trace = make_rays(scene, grid.width, grid.height, changes.crop);
+  job.trace = make_rays(scene, width, height, changes.crop);
   if (!scene.rays_file.empty()) {
     job.inputs.push_back({"rays", scene.rays_file, sha256_of_file(scene.rays_file)});
     check_memory(job.trace.rays.size(),

@@ -2,35 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include "models/common/error.h"
-#include "models/common/random.h"
 #include "models/common/words.h"
+#include "models/heightmap/pyramid.h"
 #include "models/heightmap/reliefs.h"
 
 namespace cuesta {
 namespace {
 
-Relief make_flat(int width, int height, uint64_t) { return Relief(static_cast<size_t>(width) * height, 0.5); }
-
-/// One texel in every block of 8 x 8 (less at the right and lower edge) stands up, 1/2 to 1 high; all else is
-/// 0. The worst case of a max pyramid: nearly every inner node promises a height that a ray does not find.
-Relief make_spikes(int width, int height, uint64_t seed) {
-  Relief relief(static_cast<size_t>(width) * height, 0.0);
-  Random random(seed);
-  for (int top = 0; top < height; top += 8) {
-    for (int left = 0; left < width; left += 8) {
-      auto i = left + static_cast<int>(random.below(static_cast<uint64_t>(std::min(8, width - left))));
-      auto j = top + static_cast<int>(random.below(static_cast<uint64_t>(std::min(8, height - top))));
-      double needle = 0.5 + 0.5 * random.unit();
-      relief[static_cast<size_t>(j) * width + i] = top == 0 && left == 0 ? 1.0 : needle;
-    }
-  }
-  return relief;
-}
-
-constexpr std::array<MapKind, 9> kKinds = {{
+constexpr std::array<MapKind, 16> kKinds = {{
     {"fractal", "Mountains with eroded flanks, from octaves of gradient noise.", 512, 512, 16, true,
      make_fractal},
     {"rocks", "Angular stones of three sizes over gravel.", 512, 512, 8, true, make_rocks},
@@ -47,9 +31,22 @@ constexpr std::array<MapKind, 9> kKinds = {{
      true, make_logo},
     {"text512", "A page of small upright letters with steep walls; stands in for Ki & Oh's 512 x 512 text.",
      512, 512, 8, true, make_text512},
+    {"bricks", "Courses of bevelled bricks, a little unequal in height, with joints at 0.", 512, 512, 8, true,
+     make_bricks},
+    {"noise", "White noise: every texel's height is drawn alone, evenly from 0 to full scale.", 256, 256, 8,
+     true, make_noise},
+    {"steps", "Stairs of 16 equal steps that rise along u and fall the full height at the seam.", 256, 256, 8,
+     false, make_steps},
+    {"checker", "Squares of 8 x 8 texels, in turn at full scale and at 0.", 256, 256, 8, false, make_checker},
+    {"hole", "Full scale everywhere but in the middle's one texel, which is 0.", 256, 256, 8, false,
+     make_hole},
+    {"cliffs", "Plateaus at full scale over a floor at 0, with upright walls along irregular borders.", 256,
+     256, 8, true, make_cliffs},
+    {"terraces", "Hills cut into 8 terraces of exactly equal heights.", 256, 256, 8, true, make_terraces},
 }};
 
 constexpr int kMaxSide = 16384;
+constexpr size_t kKeptTexels = size_t{1024} * 1024;  ///< 8 MiB of relief are kept, more are made twice
 
 void check(const std::string& what, int value, int largest) {
   if (value >= 1 && value <= largest) return;
@@ -68,7 +65,8 @@ const MapKind* find_map_kind(std::string_view name) {
   return nullptr;
 }
 
-HeightGrid generate(std::string_view name, int width, int height, int bits, uint64_t seed) {
+HeightGrid generate(std::string_view name, int width, int height, int bits, uint64_t seed,
+                    const Watch& watch) {
   const MapKind* kind = find_map_kind(name);
   if (kind == nullptr) {
     std::vector<std::string_view> names;
@@ -85,18 +83,49 @@ HeightGrid generate(std::string_view name, int width, int height, int bits, uint
   check("height", grid.height, kMaxSide);
   check("bits", grid.bits, 16);
 
-  Relief relief = kind->make(grid.width, grid.height, seed);
+  const size_t texels = static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height);
+  const auto rows = static_cast<uint64_t>(grid.height);
+  const bool twice = kind->stretch && texels > kKeptTexels;
+  uint64_t rows_done = 0;
+  auto row_done = [&] {
+    ++rows_done;
+    if (!watch || watch(rows_done, twice ? 2 * rows : rows)) return;
+    throw Error(ExitCode::kIncomplete,
+                "The height map was stopped before it was whole; nothing of it is kept.");
+  };
+
   double low = 0, high = 1;
+  std::vector<double> kept;
   if (kind->stretch) {
-    auto [lowest, highest] = std::minmax_element(relief.begin(), relief.end());
-    low = *lowest;
-    high = *highest;
+    low = std::numeric_limits<double>::infinity();
+    high = -low;
+    kept.resize(twice ? static_cast<size_t>(grid.width) : texels);
+    const ReliefRows relief = kind->make(grid.width, grid.height, seed);
+    for (int j = 0; j < grid.height; ++j) {
+      double* row = kept.data() + (twice ? 0 : static_cast<size_t>(j) * static_cast<size_t>(grid.width));
+      relief(j, row);
+      for (int i = 0; i < grid.width; ++i) {
+        low = std::min(low, row[i]);
+        high = std::max(high, row[i]);
+      }
+      if (twice) row_done();
+    }
   }
-  grid.texels.reserve(relief.size());
-  double full_scale = grid.full_scale();
-  for (double value : relief) {
-    double share = high > low ? (value - low) / (high - low) : 1;
-    grid.texels.push_back(static_cast<uint16_t>(static_cast<uint32_t>(2 * share * full_scale + 1) / 2));
+
+  const bool made = kind->stretch && !twice;
+  const ReliefRows relief = made ? ReliefRows() : kind->make(grid.width, grid.height, seed);
+  std::vector<double> fresh(static_cast<size_t>(grid.width));
+  grid.texels.reserve(pyramid_storage(grid.width, grid.height));
+  const double full_scale = grid.full_scale();
+  for (int j = 0; j < grid.height; ++j) {
+    if (!made) relief(j, fresh.data());
+    const double* row =
+        made ? kept.data() + static_cast<size_t>(j) * static_cast<size_t>(grid.width) : fresh.data();
+    for (int i = 0; i < grid.width; ++i) {
+      double share = high > low ? (row[i] - low) / (high - low) : 1;
+      grid.texels.push_back(static_cast<uint16_t>(static_cast<uint32_t>(2 * share * full_scale + 1) / 2));
+    }
+    row_done();
   }
   return grid;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "models/common/error.h"
 
@@ -46,10 +47,29 @@ uint64_t covered(int index, int level, int size) {
   return static_cast<uint64_t>(last - first);
 }
 
+/// A copy with room for its pyramid.
+HeightGrid roomy_copy(const HeightGrid& grid) {
+  check_grid(grid);
+  HeightGrid copy{grid.width, grid.height, grid.bits, {}};
+  copy.texels.reserve(pyramid_storage(grid.width, grid.height));
+  copy.texels.assign(grid.texels.begin(), grid.texels.end());
+  return copy;
+}
+
 }  // namespace
 
+size_t pyramid_storage(int width, int height) {
+  size_t nodes = 1;
+  while (width > 1 || height > 1) {
+    nodes += static_cast<size_t>(width) * static_cast<size_t>(height);
+    width = (width + 1) / 2;
+    height = (height + 1) / 2;
+  }
+  return nodes + 1;
+}
+
 /// Sizes of all levels and the leaf texels; the levels above are still zero.
-Pyramid make_pyramid_levels(const HeightGrid& grid) {
+Pyramid make_pyramid_levels(HeightGrid&& grid) {
   check_grid(grid);
   Pyramid pyramid;
   pyramid.bits_ = grid.bits;
@@ -62,13 +82,16 @@ Pyramid make_pyramid_levels(const HeightGrid& grid) {
     width = (width + 1) / 2;
     height = (height + 1) / 2;
   }
+  pyramid.values_ = std::move(grid.texels);
   pyramid.values_.resize(first + 1);
-  std::copy(grid.texels.begin(), grid.texels.end(), pyramid.values_.begin());
   return pyramid;
 }
 
-Pyramid build_max_pyramid(const HeightGrid& grid) {
-  Pyramid pyramid = make_pyramid_levels(grid);
+Pyramid build_max_pyramid(const HeightGrid& grid) { return build_max_pyramid(roomy_copy(grid)); }
+Pyramid build_mean_pyramid(const HeightGrid& grid) { return build_mean_pyramid(roomy_copy(grid)); }
+
+Pyramid build_max_pyramid(HeightGrid&& grid) {
+  Pyramid pyramid = make_pyramid_levels(std::move(grid));
   for (int level = 1; level <= pyramid.root_level(); ++level) {
     const Pyramid::Level& below = pyramid.levels_[level - 1];
     const Pyramid::Level& above = pyramid.levels_[level];
@@ -85,7 +108,7 @@ Pyramid build_max_pyramid(const HeightGrid& grid) {
   const uint32_t highest = pyramid.highest_;
   if (highest > pyramid.full_scale()) {
     throw input_error("The height grid holds the height " + std::to_string(highest) + "; " +
-                      std::to_string(grid.bits) + " bits hold at most " +
+                      std::to_string(pyramid.bits()) + " bits hold at most " +
                       std::to_string(pyramid.full_scale()) + ".");
   }
   return pyramid;
@@ -93,16 +116,18 @@ Pyramid build_max_pyramid(const HeightGrid& grid) {
 
 /// Sums travel up as rows: each level keeps the sums of its current row only, so that the exact 64-bit sums
 /// (at most 2^28 texels of 16 bits) cost one row per level instead of four times the map.
-Pyramid build_mean_pyramid(const HeightGrid& grid) {
-  Pyramid pyramid = make_pyramid_levels(grid);
-  pyramid.highest_ = *std::max_element(grid.texels.begin(), grid.texels.end());
+Pyramid build_mean_pyramid(HeightGrid&& grid) {
+  Pyramid pyramid = make_pyramid_levels(std::move(grid));
+  const int width = pyramid.width(0), height = pyramid.height(0);
+  const uint16_t* leaves = pyramid.level(0);
+  pyramid.highest_ = *std::max_element(leaves, leaves + static_cast<size_t>(width) * height);
   int root = pyramid.root_level();
   std::vector<std::vector<uint64_t>> sums(root + 1);
   for (int level = 1; level <= root; ++level) sums[level].assign(pyramid.width(level), 0);
 
-  for (int texel_row = 0; texel_row < grid.height && root > 0; ++texel_row) {
-    const uint16_t* texels = grid.texels.data() + static_cast<size_t>(texel_row) * grid.width;
-    for (int i = 0; i < grid.width; ++i) sums[1][i / 2] += texels[i];
+  for (int texel_row = 0; texel_row < height && root > 0; ++texel_row) {
+    const uint16_t* texels = pyramid.level(0) + static_cast<size_t>(texel_row) * width;
+    for (int i = 0; i < width; ++i) sums[1][i / 2] += texels[i];
     int row = texel_row;  // the row of `level - 1` that has just become complete
     for (int level = 1; level <= root; ++level) {
       bool complete = row % 2 != 0 || row == pyramid.height(level - 1) - 1;
@@ -110,9 +135,9 @@ Pyramid build_mean_pyramid(const HeightGrid& grid) {
       row /= 2;
       const Pyramid::Level& shape = pyramid.levels_[level];
       uint16_t* means = pyramid.values_.data() + shape.first + static_cast<size_t>(row) * shape.width;
-      uint64_t rows = covered(row, level, grid.height);
+      uint64_t rows = covered(row, level, height);
       for (int i = 0; i < shape.width; ++i) {
-        uint64_t count = rows * covered(i, level, grid.width);
+        uint64_t count = rows * covered(i, level, width);
         means[i] = static_cast<uint16_t>((2 * sums[level][i] + count) / (2 * count));
         if (level < root) sums[level + 1][i / 2] += sums[level][i];
         sums[level][i] = 0;

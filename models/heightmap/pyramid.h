@@ -43,18 +43,25 @@ class Pyramid {
   int lowest_level_ = 0;
   uint16_t highest_ = 0;
 
-  friend Pyramid make_pyramid_levels(const HeightGrid& grid);
-  friend Pyramid build_max_pyramid(const HeightGrid& grid);
-  friend Pyramid build_mean_pyramid(const HeightGrid& grid);
+  friend Pyramid make_pyramid_levels(HeightGrid&& grid);
+  friend Pyramid build_max_pyramid(HeightGrid&& grid);
+  friend Pyramid build_mean_pyramid(HeightGrid&& grid);
   friend Pyramid build_stopped_pyramid(const Pyramid& max_pyramid, int stop_level);
 };
 
+/// Places that all levels of a map take, and one more. A grid whose vector has this capacity becomes a pyramid without
+/// a copy.
+size_t pyramid_storage(int width, int height);
+
 /// Every node holds the maximum of the texels it covers (Oh, Ki, Lee 2006; Ki & Oh 2007, section 2.1).
 /// Throws input_error for an empty or oversized grid, and for a height above full scale.
+/// A grid that is given away becomes level 0.
+Pyramid build_max_pyramid(HeightGrid&& grid);
 Pyramid build_max_pyramid(const HeightGrid& grid);
 
 /// Every node holds the mean of the texels it covers: exact 64-bit sums, rounded half up once per level,
 /// hence never above the node of the max pyramid. Throws input_error as build_max_pyramid does.
+Pyramid build_mean_pyramid(HeightGrid&& grid);
 Pyramid build_mean_pyramid(const HeightGrid& grid);
 
 /// What a traversal that stops at `stop_level` looks at: means at that level, the maxima above it, nothing below. Sizes

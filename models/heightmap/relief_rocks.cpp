@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "models/heightmap/noise.h"
@@ -29,30 +30,29 @@ double stones(const Torus& torus, double x, double y, double share, uint64_t see
 
 }  // namespace
 
-Relief make_rocks(int width, int height, uint64_t seed) {
+ReliefRows make_rocks(int width, int height, uint64_t seed) {
   double side = std::min(width, height);
-  Torus layers[] = {torus_of(width, height, 6), torus_of(width, height, 13), torus_of(width, height, 29)};
-  double shares[] = {0.6, 0.7, 0.8}, heights[] = {1.0, 0.55, 0.28};
-  return relief_of(width, height, [&](double x, double y) {
+  std::array layers = {torus_of(width, height, 6), torus_of(width, height, 13), torus_of(width, height, 29)};
+  std::array shares = {0.6, 0.7, 0.8}, heights = {1.0, 0.55, 0.28};
+  return relief_of(width, height, [=](double x, double y) {
     double u = x * side / width, v = y * side / height;  // 0 to 1 over the map, whatever its shape
     double rough = fractal_noise(layers[2], u * static_cast<double>(layers[2].columns),
                                  v * static_cast<double>(layers[2].rows), 0.2, seed + 9);
     double bend = 0.012 * rough;
     double top = 0.05;
-    for (int k = 0; k < 3; ++k) {
+    for (size_t k = 0; k < 3; ++k) {
       double stone = stones(layers[k], (u + bend) * static_cast<double>(layers[k].columns),
-                            (v - bend) * static_cast<double>(layers[k].rows), shares[k],
-                            seed + static_cast<uint64_t>(k));
+                            (v - bend) * static_cast<double>(layers[k].rows), shares[k], seed + k);
       top = std::max(top, heights[k] * stone);
     }
     return top + 0.035 * rough;
   });
 }
 
-Relief make_rockbump(int width, int height, uint64_t seed) {
+ReliefRows make_rockbump(int width, int height, uint64_t seed) {
   double side = std::min(width, height);
   Torus torus = torus_of(width, height, 7);
-  return relief_of(width, height, [&](double x, double y) {
+  return relief_of(width, height, [=](double x, double y) {
     double u = x * side / width * static_cast<double>(torus.columns);
     double v = y * side / height * static_cast<double>(torus.rows);
     double wave = gradient_noise({torus.columns * 2, torus.rows * 2}, 2 * u, 2 * v, seed + 1).value;

@@ -43,9 +43,9 @@ double eroded_noise(const Lattice& lattice, double x, double y, uint64_t seed) {
 
 }  // namespace
 
-Relief make_fractal(int width, int height, uint64_t seed) {
+ReliefRows make_fractal(int width, int height, uint64_t seed) {
   Lattice broad(width, height, 3), fine(width, height, 5);
-  return relief_of(width, height, [&](double x, double y) {
+  return relief_of(width, height, [=](double x, double y) {
     double u = x * broad.per_x, v = y * broad.per_y;
     double warp_u = 0.35 * fractal_noise(broad.torus, u, v, 0.2, seed + 101);
     double warp_v = 0.35 * fractal_noise(broad.torus, u, v, 0.2, seed + 202);
@@ -88,11 +88,11 @@ double shield(const Volcano& v, double x, double y) {
 
 }  // namespace
 
-Relief make_hawaii(int width, int height, uint64_t seed) {
+ReliefRows make_hawaii(int width, int height, uint64_t seed) {
   Lattice coast(width, height, 7), gullies(width, height, 11);
   double side = std::min(width, height);
   double left = (width / side - 1) / 2, top = (height / side - 1) / 2;
-  return relief_of(width, height, [&](double x, double y) {
+  return relief_of(width, height, [=](double x, double y) {
     double finest = 2 / coast.texels;
     double warp_x = 0.03 * fractal_noise(coast.torus, x * coast.per_x, y * coast.per_y, finest, seed + 11);
     double warp_y = 0.03 * fractal_noise(coast.torus, x * coast.per_x, y * coast.per_y, finest, seed + 22);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "models/common/random.h"
@@ -22,13 +23,11 @@ struct Page {
 constexpr double kPitchX = 6, kPitchY = 9;
 
 /// The page stretched over the map, each axis on its own; 0 outside the strokes, 1 on them.
-Relief relief_of_page(const Page& page, int width, int height) {
+ReliefRows relief_of_page(Page page, int width, int height) {
   double units_x = page.columns * kPitchX, units_y = static_cast<double>(page.lines.size()) * kPitchY;
   double texel = std::max(units_x / width, units_y / height);
   double bevel = std::max(page.bevel, texel);
-  Relief relief;
-  relief.reserve(static_cast<size_t>(width) * height);
-  for (int j = 0; j < height; ++j) {
+  return [=, page = std::move(page)](int j, double* row) {
     double v = (j + 0.5) * units_y / height;
     auto line = static_cast<size_t>(v / kPitchY);
     double y = v - static_cast<double>(line) * kPitchY - (kPitchY - kGlyphHeight) / 2;
@@ -38,10 +37,9 @@ Relief relief_of_page(const Page& page, int width, int height) {
       double x = u - static_cast<double>(column) * kPitchX - (kPitchX - kGlyphWidth) / 2;
       const std::string& text = page.lines[line];
       double distance = column < text.size() ? glyph_distance(text[column], x, y) : 1e30;
-      relief.push_back(clamp_unit((page.stroke - distance) / bevel));
+      row[i] = clamp_unit((page.stroke - distance) / bevel);
     }
-  }
-  return relief;
+  };
 }
 
 constexpr const char* kWords[] = {"CUESTA", "HEIGHT", "RELIEF", "RIDGES", "SUMMIT", "SCARPS",
@@ -57,7 +55,7 @@ std::string centred(const std::string& word, int columns) {
 
 }  // namespace
 
-Relief make_text(int width, int height, uint64_t seed) {
+ReliefRows make_text(int width, int height, uint64_t seed) {
   Random random(seed);
   Page page{6, {}, 0.75, 0.4};
   while (page.lines.size() < 4) {
@@ -66,25 +64,25 @@ Relief make_text(int width, int height, uint64_t seed) {
     for (const std::string& line : page.lines) again = again || line.find(word) != std::string::npos;
     if (!again) page.lines.push_back(centred(word, page.columns));
   }
-  return relief_of_page(page, width, height);
+  return relief_of_page(std::move(page), width, height);
 }
 
-Relief make_text512(int width, int height, uint64_t) {
+ReliefRows make_text512(int width, int height, uint64_t) {
   Page page{18,
             {"A RAY ENTERS THE", "PYRAMID AT ITS TOP", "AND GOES DOWN WHEN", "THE NODE IS HIGHER",
              "THAN THE RAY. ELSE", "IT CROSSES TO THE", "NEXT NODE AND MAY", "GO UP ONE LEVEL.",
              "NO STEP PASSES THE", "SURFACE - THE HIT", "IS ALWAYS THE SAME", "0123456789 CUESTA"},
             0.5,
             0.1};
-  return relief_of_page(page, width, height);
+  return relief_of_page(std::move(page), width, height);
 }
 
-Relief make_logo(int width, int height, uint64_t) {
+ReliefRows make_logo(int width, int height, uint64_t) {
   double side = std::min(width, height);
   double left = (width / side - 1) / 2, top = (height / side - 1) / 2;
   double texel = 1 / side;
-  auto raised = [&](double inside, double bevel) { return clamp_unit(inside / std::max(bevel, texel)); };
-  return relief_of(width, height, [&](double map_x, double map_y) {
+  auto raised = [=](double inside, double bevel) { return clamp_unit(inside / std::max(bevel, texel)); };
+  return relief_of(width, height, [=](double map_x, double map_y) {
     double x = map_x - left, y = map_y - top;
     // A ring around a landform that rises gently and falls off as a scarp, three beds one behind the other.
     double dx = x - 0.5, dy = y - 0.38;

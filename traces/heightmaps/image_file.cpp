@@ -39,7 +39,7 @@ auto guarded(const std::string& path, Function function) {
 
 }  // namespace
 
-ImageFile::ImageFile(const std::string& path) : path_(path) {
+uint64_t readable_file_bytes(const std::string& path) {
   std::error_code fault;
   auto status = std::filesystem::status(path, fault);
   if (!std::filesystem::exists(status)) throw input_error("There is no image file " + in_quotes(path) + ".");
@@ -49,9 +49,13 @@ ImageFile::ImageFile(const std::string& path) : path_(path) {
   if (!std::ifstream(path, std::ios::binary)) {
     throw input_error("The image file " + in_quotes(path) + " may not be read.");
   }
-  if (std::filesystem::file_size(path, fault) == 0) {
-    throw input_error("The image file " + in_quotes(path) + " is empty (0 bytes).");
-  }
+  const uint64_t bytes = std::filesystem::file_size(path, fault);
+  if (bytes == 0) throw input_error("The image file " + in_quotes(path) + " is empty (0 bytes).");
+  return bytes;
+}
+
+ImageFile::ImageFile(const std::string& path) : path_(path) {
+  readable_file_bytes(path);
   guarded(path_, [&] { open(); });
 }
 
@@ -117,6 +121,10 @@ std::vector<std::string> ImageFile::notes() const {
   std::vector<std::string> notes;
   if (has_palette(path_, format())) {
     notes.push_back("The picture has a palette; the colours that it stands for are read, not the indices.");
+  }
+  if (const int turn = spec_.get_int_attribute("Orientation", 1); turn != 1) {
+    notes.push_back("The file asks to be shown turned (orientation " + std::to_string(turn) +
+                    "); its rows are read as they are stored.");
   }
   if (format() == "jpeg") notes.push_back("JPEG is lossy: the heights are not those that were saved.");
   if (more_pictures_) notes.push_back("The file holds further pictures or levels; the first is read.");

@@ -2,11 +2,16 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace cuesta {
+
+/// Bytes of the file at `path`. Throws input_error where there is none, where it is a folder, may not be read or is
+/// empty.
+uint64_t readable_file_bytes(const std::string& path);
 
 /// An image opened through OpenImageIO, read in strips of rows so that only what is wanted is ever in memory.
 /// The constructor makes the checks that need no pixels: the file exists, is not empty, its format is known,
@@ -27,7 +32,7 @@ class ImageFile {
   const std::vector<std::string>& channels() const { return spec_.channelnames; }
   int alpha_channel() const { return spec_.alpha_channel; }  ///< -1: none
   OIIO::TypeDesc::BASETYPE type(int channel) const;
-  std::vector<std::string> notes() const;  ///< palette, lossy, further pictures in the file
+  std::vector<std::string> notes() const;  ///< palette, lossy, turned, further pictures in the file
 
   /// Rows that the file gives at once, at least 1.
   int strip_rows() const;

@@ -1,177 +1,30 @@
 #include "traces/heightmaps/image_reader.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
-#include <limits>
 #include <new>
 
 #include "models/common/error.h"
 #include "models/common/words.h"
-#include "traces/heightmaps/channel_choice.h"
-#include "traces/heightmaps/image_file.h"
+#include "models/heightmap/pyramid.h"
+#include "traces/heightmaps/height_survey.h"
+#include "traces/heightmaps/image_samples.h"
 
 namespace cuesta {
 namespace {
 
-using Base = OIIO::TypeDesc::BASETYPE;
-
-/// What the reader needs to know of a number type.
-struct SampleType {
-  Base base;
-  const char* name;
-  bool integer;
-  bool is_signed;
-  double largest;  ///< of an integer type
-  int bits;        ///< of a height, unless the user asks for others
-};
-
-constexpr SampleType kSampleTypes[] = {
-    {OIIO::TypeDesc::UINT8, "uint8", true, false, 255.0, 8},
-    {OIIO::TypeDesc::UINT16, "uint16", true, false, 65535.0, 16},
-    {OIIO::TypeDesc::UINT32, "uint32", true, false, 4294967295.0, 16},
-    {OIIO::TypeDesc::INT8, "int8", true, true, 127.0, 8},
-    {OIIO::TypeDesc::INT16, "int16", true, true, 32767.0, 16},
-    {OIIO::TypeDesc::INT32, "int32", true, true, 2147483647.0, 16},
-    {OIIO::TypeDesc::HALF, "half", false, true, 1.0, 16},
-    {OIIO::TypeDesc::FLOAT, "float", false, true, 1.0, 16},
-    {OIIO::TypeDesc::DOUBLE, "double", false, true, 1.0, 16},
-};
-
-const SampleType& sample_type(const ImageFile& file, int channel) {
-  for (const SampleType& type : kSampleTypes) {
-    if (type.base == file.type(channel)) return type;
-  }
-  throw input_error(
-      "Channel " + file.channels()[channel] + " of the image \"" + file.path() +
-      "\" has numbers of an unknown type; integers of 8 to 32 bits, half, float and double are accepted.");
-}
-
-/// One channel as float64, strip by strip: `take(first texel's index, values)`.
-template <typename T, typename Take>
-void each_strip(ImageFile& file, int channel, Base base, Take take) {
-  std::vector<T> strip(static_cast<size_t>(file.strip_rows()) * file.width());
-  for (int first = 0; first < file.height(); first += file.strip_rows()) {
-    int last = std::min(first + file.strip_rows(), file.height());
-    file.read_rows(first, last, channel, 1, base, strip.data());
-    size_t count = static_cast<size_t>(last - first) * file.width();
-    take(static_cast<size_t>(first) * file.width(), strip.data(), count);
-  }
-}
-
-/// The numbers of a channel. Those of 8 and 16 unsigned bits stay exact in `small`; all others become
-/// float32.
-struct Numbers {
-  std::vector<uint16_t> small;
-  std::vector<float> wide;
-  double minimum = std::numeric_limits<double>::infinity();
-  double maximum = -std::numeric_limits<double>::infinity();
-};
-
-template <typename T>
-void read_as(ImageFile& file, int channel, Base base, bool small, Numbers& numbers) {
-  size_t count = static_cast<size_t>(file.width()) * file.height();
-  if (small) numbers.small.resize(count);
-  if (!small) numbers.wide.resize(count);
-  each_strip<T>(file, channel, base, [&](size_t first, const T* values, size_t strip_count) {
-    for (size_t k = 0; k < strip_count; ++k) {
-      double value = static_cast<double>(values[k]);
-      if (!small) {
-        float rounded = static_cast<float>(value);
-        if (!std::isfinite(rounded)) {
-          size_t texel = first + k;
-          throw input_error("The image \"" + file.path() + "\" holds " +
-                            (std::isnan(rounded) ? "NaN" : "infinity") + " in channel " +
-                            file.channels()[channel] + " at pixel (" + std::to_string(texel % file.width()) +
-                            ", " + std::to_string(texel / file.width()) + "); heights must be finite.");
-        }
-        value = rounded;
-        numbers.wide[first + k] = rounded;
-      } else {
-        numbers.small[first + k] = static_cast<uint16_t>(values[k]);
-      }
-      numbers.minimum = std::min(numbers.minimum, value);
-      numbers.maximum = std::max(numbers.maximum, value);
-    }
-  });
-}
-
-Numbers read_numbers(ImageFile& file, int channel, const SampleType& type) {
-  Numbers numbers;
-  switch (type.base) {
-    case OIIO::TypeDesc::UINT8:
-      read_as<uint8_t>(file, channel, type.base, true, numbers);
-      break;
-    case OIIO::TypeDesc::UINT16:
-      read_as<uint16_t>(file, channel, type.base, true, numbers);
-      break;
-    case OIIO::TypeDesc::UINT32:
-      read_as<uint32_t>(file, channel, type.base, false, numbers);
-      break;
-    case OIIO::TypeDesc::INT8:
-      read_as<int8_t>(file, channel, type.base, false, numbers);
-      break;
-    case OIIO::TypeDesc::INT16:
-      read_as<int16_t>(file, channel, type.base, false, numbers);
-      break;
-    case OIIO::TypeDesc::INT32:
-      read_as<int32_t>(file, channel, type.base, false, numbers);
-      break;
-    case OIIO::TypeDesc::DOUBLE:
-      read_as<double>(file, channel, type.base, false, numbers);
-      break;
-    default:
-      read_as<float>(file, channel, OIIO::TypeDesc::FLOAT, false, numbers);
-      break;  // half is exact in float
-  }
-  return numbers;
-}
-
-struct Range {
-  double low;
-  double high;
-};
-
-Range choose_range(const HeightSource& source, const SampleType& type, const Numbers& numbers) {
-  bool inside_unit = numbers.minimum >= 0 && numbers.maximum <= 1;
-  Normalisation rule = source.normalisation;
-  if (rule == Normalisation::kAuto) {
-    bool keep = type.integer ? !type.is_signed : inside_unit;
-    rule = keep ? Normalisation::kNone : Normalisation::kMinMax;
-  }
-  if (rule == Normalisation::kRange) return {source.low, source.high};
-  std::string found = "The image \"" + source.path + "\" holds heights of " + shortest_text(numbers.minimum) +
-                      " to " + shortest_text(numbers.maximum);
-  if (rule == Normalisation::kNone) {
-    if (numbers.minimum < 0 || numbers.maximum > type.largest) {
-      throw input_error(found + "; without normalisation 0 to " + shortest_text(type.largest) +
-                        " is accepted.");
-    }
-    return {0, type.largest};
-  }
-  // A terrain of metres has no such heights; stretching it to them would leave the rest on a few levels.
-  for (double marker : {-9999.0, -99999.0, -32767.0, -32768.0}) {
-    if (numbers.minimum == marker && type.largest != 127.0) {
-      throw input_error(found + ", and " + shortest_text(marker) +
-                        " marks texels without data; give the range of true heights as normalisation.");
-    }
-  }
-  if (numbers.minimum < -1e30 || numbers.maximum > 1e30) {
-    throw input_error(found +
-                      ", of which the extreme marks texels without data; give the range of true heights as "
-                      "normalisation.");
-  }
-  return {numbers.minimum, numbers.maximum};
-}
-
-/// Heights of the range as integers of 0 to full scale, halves up.
+/// Heights of the range as integers of 0 to full scale, halves up; cells without data as 0.
 class Quantiser {
  public:
-  Quantiser(Range range, uint32_t full_scale, bool invert)
-      : range_(range), full_scale_(full_scale), invert_(invert) {}
+  Quantiser(HeightRange range, uint32_t full_scale, bool invert, const Nodata& nodata)
+      : range_(range), full_scale_(full_scale), invert_(invert), nodata_(nodata) {}
 
-  uint16_t operator()(double value) {
+  uint16_t operator()(double value, uint64_t count = 1) {
+    if (nodata_.is(value)) return 0;
     uint32_t height = 0;
-    if (value < range_.low || value > range_.high) ++clamped_;
+    if (value < range_.low || value > range_.high) clamped_ += count;
     if (value >= range_.high && range_.high > range_.low) {
       height = full_scale_;
     } else if (value > range_.low) {
@@ -183,11 +36,106 @@ class Quantiser {
   uint64_t clamped() const { return clamped_; }
 
  private:
-  Range range_;
+  HeightRange range_;
   uint32_t full_scale_;
   bool invert_;
+  const Nodata& nodata_;
   uint64_t clamped_ = 0;
 };
+
+/// Calls take(first texel's index, values, count) strip by strip.
+template <typename T, typename Take>
+void each_strip(SampleSource& samples, Take take) {
+  const auto width = static_cast<size_t>(samples.width());
+  const int rows = std::min(samples.strip_rows(), samples.height());
+  std::vector<T> strip(static_cast<size_t>(rows) * width);
+  for (int first = 0; first < samples.height(); first += rows) {
+    const int last = std::min(first + rows, samples.height());
+    samples.read_rows(first, last, strip.data());
+    take(static_cast<size_t>(first) * width, strip.data(), static_cast<size_t>(last - first) * width);
+  }
+}
+
+/// Everything that `load` knows of a channel before it is quantised, and after.
+struct Reading {
+  const HeightSource& source;
+  const OpenedHeights& opened;
+  const SampleType& type;
+  Nodata nodata;
+  Survey survey;
+  HeightRange range{0, 1};
+  uint64_t clamped = 0;
+  HeightGrid grid;
+
+  void decide_range() { range = choose_range(source, opened.channel, type, survey, grid.width); }
+  Quantiser quantiser() const { return {range, grid.full_scale(), source.invert, nodata}; }
+};
+
+/// Unsigned integers of 8 and 16 bits go straight into the grid; what becomes of each of the at most 65536 different
+/// numbers is then computed once.
+template <typename T>
+void read_small(SampleSource& samples, Reading& reading) {
+  std::vector<uint64_t> counts(65536);
+  std::vector<uint16_t>& texels = reading.grid.texels;
+  each_strip<T>(samples, [&](size_t, const T* values, size_t count) {
+    for (size_t k = 0; k < count; ++k) ++counts[values[k]];
+    texels.insert(texels.end(), values, values + count);
+  });
+  for (size_t value = 0; value < counts.size(); ++value) {
+    if (counts[value] != 0) reading.survey.take(static_cast<double>(value), 0, counts[value], reading.nodata);
+  }
+  reading.decide_range();
+  Quantiser quantise = reading.quantiser();
+  std::vector<uint16_t> becomes(65536);
+  bool same = true;
+  for (size_t value = 0; value < counts.size(); ++value) {
+    if (counts[value] == 0) continue;
+    becomes[value] = quantise(static_cast<double>(value), counts[value]);
+    same = same && becomes[value] == value;
+  }
+  reading.clamped = quantise.clamped();
+  if (same) return;
+  for (uint16_t& texel : texels) texel = becomes[texel];
+}
+
+/// All other numbers are read twice, first for what there is: a copy of them would be larger than the map.
+template <typename T>
+void read_wide(SampleSource& samples, Reading& reading) {
+  each_strip<T>(samples, [&](size_t first, const T* values, size_t count) {
+    for (size_t k = 0; k < count; ++k) {
+      reading.survey.take(static_cast<double>(values[k]), first + k, 1, reading.nodata);
+    }
+  });
+  reading.decide_range();
+  Quantiser quantise = reading.quantiser();
+  std::vector<uint16_t>& texels = reading.grid.texels;
+  each_strip<T>(samples, [&](size_t, const T* values, size_t count) {
+    for (size_t k = 0; k < count; ++k) texels.push_back(quantise(static_cast<double>(values[k])));
+  });
+  reading.clamped = quantise.clamped();
+}
+
+void read_all(SampleSource& samples, Reading& reading) {
+  switch (samples.kind()) {
+    case SampleKind::kUint8:
+      return read_small<uint8_t>(samples, reading);
+    case SampleKind::kUint16:
+      return read_small<uint16_t>(samples, reading);
+    case SampleKind::kUint32:
+      return read_wide<uint32_t>(samples, reading);
+    case SampleKind::kInt8:
+      return read_wide<int8_t>(samples, reading);
+    case SampleKind::kInt16:
+      return read_wide<int16_t>(samples, reading);
+    case SampleKind::kInt32:
+      return read_wide<int32_t>(samples, reading);
+    case SampleKind::kHalf:
+    case SampleKind::kFloat:
+      return read_wide<float>(samples, reading);
+    case SampleKind::kDouble:
+      return read_wide<double>(samples, reading);
+  }
+}
 
 int count_levels(const std::vector<uint16_t>& texels) {
   std::vector<bool> seen(65536);
@@ -208,49 +156,78 @@ void check_source(const HeightSource& source) {
   }
 }
 
+/// "depth" or "Z" as the last part of a channel's name.
+bool called_depth(const std::string& channel) {
+  std::string name = channel.substr(channel.rfind('.') + 1);
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return name == "depth" || name == "z";
+}
+
+void add_notes(const Reading& reading, HeightStatement& statement) {
+  std::vector<std::string>& notes = statement.notes;
+  const bool flat = reading.range.low == reading.range.high;
+  if (flat) notes.push_back("The channel is flat; every height becomes 0.");
+  if (!flat && statement.distinct_levels > 1 && statement.distinct_levels <= 256 && reading.grid.bits > 8 &&
+      reading.grid.texels.size() >= 4096) {
+    notes.push_back("The " + std::to_string(reading.grid.bits) + "-bit heights take only " +
+                    std::to_string(statement.distinct_levels) + " different values: 8 bits would hold them.");
+  }
+  if (reading.clamped > 0) {
+    notes.push_back(std::to_string(reading.clamped) + " texels lie outside the range and are clamped.");
+  }
+  if (statement.nodata_cells > 0) {
+    notes.push_back(std::to_string(statement.nodata_cells) + " cells hold no data and become height 0.");
+  } else if (reading.source.nodata) {
+    notes.push_back("No cell holds " + shortest_text(*reading.source.nodata) +
+                    ", which is said to mark cells without data.");
+  }
+  if (reading.source.invert) {
+    notes.push_back("The file holds depth: a height is full scale minus the value.");
+  } else if (called_depth(statement.channel)) {
+    notes.push_back("The channel is called " + printable(statement.channel) +
+                    " and is read as heights; values = \"depth\" turns it over.");
+  }
+}
+
 LoadedHeights load(const HeightSource& source) {
   check_source(source);
-  ImageFile file(source.path);
-  ChannelChoice choice = choose_channel(file, source.channel);
-  const SampleType& type = sample_type(file, choice.index);
-  Numbers numbers = read_numbers(file, choice.index, type);
-  Range range = choose_range(source, type, numbers);
+  OpenedHeights opened = open_heights(source);
+  SampleSource& samples = *opened.samples;
+  const SampleType& type = sample_type(samples.kind());
+  Reading reading{source, opened, type, {}, {}, {0, 1}, 0, {}};
+  if (source.nodata) {
+    reading.nodata = Nodata(*source.nodata, type.kind, "asked for");
+  } else if (opened.facts.has_nodata) {
+    reading.nodata = Nodata(opened.facts.nodata, type.kind, opened.facts.nodata_reason);
+  }
+  HeightGrid& grid = reading.grid;
+  grid.width = samples.width();
+  grid.height = samples.height();
+  grid.bits = source.bits != 0 ? source.bits : type.bits;
+  grid.texels.reserve(pyramid_storage(grid.width, grid.height));
+  read_all(samples, reading);
 
   LoadedHeights loaded;
-  HeightGrid& grid = loaded.grid;
-  grid.width = file.width();
-  grid.height = file.height();
-  grid.bits = source.bits != 0 ? source.bits : type.bits;
-  Quantiser quantise(range, grid.full_scale(), source.invert);
-  if (!numbers.small.empty()) {
-    grid.texels = std::move(numbers.small);
-    for (uint16_t& texel : grid.texels) texel = quantise(texel);
-  } else {
-    grid.texels.reserve(numbers.wide.size());
-    for (float value : numbers.wide) grid.texels.push_back(quantise(value));
-  }
-
   HeightStatement& statement = loaded.statement;
-  statement.format = file.format();
+  statement.format = opened.facts.format;
   statement.width = grid.width;
   statement.height = grid.height;
-  statement.channels = file.channels();
-  statement.channel = file.channels()[choice.index];
-  statement.channel_reason = choice.reason;
+  statement.channels = opened.channels;
+  statement.channel = opened.channel;
+  statement.channel_reason = opened.channel_reason;
   statement.type = type.name;
-  statement.minimum = numbers.minimum;
-  statement.maximum = numbers.maximum;
+  statement.minimum = reading.survey.minimum;
+  statement.maximum = reading.survey.maximum;
   statement.distinct_levels = count_levels(grid.texels);
-  statement.normalisation = shortest_text(range.low) + " .. " + shortest_text(range.high) + " becomes 0 .. " +
-                            std::to_string(grid.full_scale());
-  statement.notes = file.notes();
-  if (range.low == range.high) statement.notes.push_back("The channel is flat; every height becomes 0.");
-  if (quantise.clamped() > 0) {
-    statement.notes.push_back(std::to_string(quantise.clamped()) +
-                              " texels lie outside the range and are clamped.");
+  statement.nodata_cells = reading.survey.nodata_cells;
+  if (reading.nodata.given()) {
+    statement.nodata = shortest_text(reading.nodata.marker()) + " (" + reading.nodata.reason() + ")";
   }
-  if (source.invert)
-    statement.notes.push_back("The file holds depth: a height is full scale minus the value.");
+  statement.normalisation = shortest_text(reading.range.low) + " .. " + shortest_text(reading.range.high) +
+                            " becomes 0 .. " + std::to_string(grid.full_scale());
+  statement.notes = opened.facts.notes;
+  add_notes(reading, statement);
+  loaded.grid = std::move(grid);
   return loaded;
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "models/heightmap/height_grid.h"
+#include "traces/heightmaps/raw_file.h"
 
 namespace cuesta {
 
@@ -27,6 +30,11 @@ struct HeightSource {
   Normalisation normalisation = Normalisation::kAuto;
   double low = 0;   ///< kRange: becomes 0
   double high = 1;  ///< kRange: becomes full scale; above `low`
+  /// The number of a cell without data; NaN stands for every NaN. Such a cell becomes height 0, the slab's floor,
+  /// also of a file that holds depth, and is left out of kMinMax. Nothing: the marker that the file itself names
+  /// (GDAL_NODATA of a TIFF, NODATA_value of a text grid, -32768 of SRTM), if it does.
+  std::optional<double> nodata;
+  RawShape raw;  ///< of a file without a header; not given: by its name, see RawFile
 };
 
 /// What was found in the file and what was made of it.
@@ -41,6 +49,8 @@ struct HeightStatement {
   double minimum = 0;                 ///< in the file's units, before inversion
   double maximum = 0;
   int distinct_levels = 0;         ///< different heights in the grid
+  uint64_t nodata_cells = 0;       ///< cells without data, now height 0
+  std::string nodata;              ///< "-9999 (the file's GDAL_NODATA tag)"; empty: no marker
   std::string normalisation;       ///< "0 .. 255 becomes 0 .. 255"
   std::vector<std::string> notes;  ///< palette, lossy format, clamped heights, inversion: one sentence each
 };
@@ -52,11 +62,14 @@ struct LoadedHeights {
 
 /// Reads one channel of an image as heights; row 0 of the picture is row j = 0. value -> round((value - low)
 /// / (high - low) * full scale), halves up. Alpha never multiplies the colours. PNG, TIFF, EXR, TGA, BMP,
-/// JPEG and whatever else OpenImageIO reads; the first picture of a file with several.
+/// JPEG, DDS and whatever else OpenImageIO reads, the first picture of a file with several; headerless files
+/// (RawFile); ESRI ASCII grids (AscGrid). In memory at once: the grid, which has room for its pyramid, and a strip
+/// of rows; TGA, interlaced PNG, DDS and runs in BMP come whole out of OpenImageIO on top of that.
 /// Throws input_error for a file that is missing, empty, truncated, of an unknown format, larger than 16384
 /// on a side, or declared so much larger than its bytes that it cannot be whole; for an unknown or undecided
-/// channel; for NaN or infinity (with the pixel); for a NODATA marker (-9999, -32768, -3.4e38 ...) under
-/// kMinMax. Throws usage_error for bits or a range that make no sense.
+/// channel; for NaN or infinity (with the pixel) and for a common marker of cells without data (-9999, -32768,
+/// -3.4e38 ...) as the lowest number under kMinMax, both unless `nodata` names them. Throws usage_error for bits or a
+/// range that make no sense.
 LoadedHeights load_heights(const HeightSource& source);
 
 }  // namespace cuesta

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <string>
 
 #include "models/common/digest.h"
@@ -34,6 +35,13 @@ TEST(Generator, BytesOfSmallMapsAreThoseOfEveryCompilerAndRelease) {
       {"rockbump", "85dcbc4943af9e8e069e020a726c58486448b5c0f4c996bf285e1b9b4e75e0f7"},
       {"logo", "ae9eb5c50db004ec854f1b2bd05663db29c9f7c26001494f766de124c469c5ce"},
       {"text512", "7d8a69000a5571b408ca459b6394abc4b0a178f30551efd1eb739a50d229c10d"},
+      {"bricks", "7bae48e5f259888e71e85ad1dd88ad415a3deea565bfd2b64b36ed87d797c9e9"},
+      {"noise", "d1165b10911d6a686cf584d4c2454baf4fe9c72cdd7c85347d9fab30ece6d318"},
+      {"steps", "daaeb6cdc2d9914c74bac417ed25ae8696a68448f7f38a3a8f207384fea66513"},
+      {"checker", "f63586ec093d515dec6e51204801fcbb1485c9f35e8684ca1ff1d0c6104f27eb"},
+      {"hole", "ffc9864ee663e0b918f2220eeb0afa38278b9ce1aa61419e7dd7e8de216991f4"},
+      {"cliffs", "a5cd43581b43b8cd8ff61b3ee15015c8d44669642f9c06ec1b48252d3b6d7881"},
+      {"terraces", "1f42c02d89b40a70f9a4cd0adbcaf6f7893775821c77312f6531e7cfc46f075c"},
   };
   ASSERT_EQ(std::size(pins), map_kinds().size());
   for (auto [kind, pin] : pins) EXPECT_EQ(digest_of(generate(kind, 96, 64, 12, 5)), pin) << kind;
@@ -114,9 +122,105 @@ TEST(Generator, TextIsMostlyGroundAndLetterTops) {
   }
 }
 
+TEST(Generator, StepsRiseAlongUInEqualTreadsAndNotAlongV) {
+  HeightGrid grid = generate("steps", 64, 5, 8);
+  for (int j = 0; j < 5; ++j) {
+    for (int i = 0; i < 64; ++i) EXPECT_EQ(grid.at(i, j), (2 * 255 * (i / 4 + 1) + 16) / 32) << i;
+  }
+}
+
+TEST(Generator, CheckerIsSquaresOfEightTexelsAtFullScaleAndAtZero) {
+  HeightGrid grid = generate("checker", 40, 24, 10);
+  EXPECT_EQ(grid.at(0, 0), 1023);
+  EXPECT_EQ(grid.at(7, 7), 1023);
+  EXPECT_EQ(grid.at(8, 7), 0);
+  EXPECT_EQ(grid.at(7, 8), 0);
+  EXPECT_EQ(grid.at(8, 8), 1023);
+  EXPECT_EQ(std::count(grid.texels.begin(), grid.texels.end(), 0), 7 * 64);
+}
+
+TEST(Generator, HoleIsOneTexelInTheMiddle) {
+  HeightGrid grid = generate("hole", 33, 20, 8);
+  EXPECT_EQ(grid.at(16, 10), 0);
+  EXPECT_EQ(std::count(grid.texels.begin(), grid.texels.end(), 255), 33 * 20 - 1);
+}
+
+TEST(Generator, CliffsHaveTwoHeightsAndBothOften) {
+  HeightGrid grid = generate("cliffs", 200, 150, 16);
+  auto low = std::count(grid.texels.begin(), grid.texels.end(), 0);
+  auto high = std::count(grid.texels.begin(), grid.texels.end(), 65535);
+  EXPECT_EQ(low + high, 200 * 150);
+  EXPECT_GT(low, 200 * 150 / 8);
+  EXPECT_GT(high, 200 * 150 / 8);
+}
+
+TEST(Generator, TerracesHaveAtMostEightHeightsAndMostNeighboursAreLevel) {
+  HeightGrid grid = generate("terraces", 256, 256, 16);
+  std::set<uint16_t> heights(grid.texels.begin(), grid.texels.end());
+  EXPECT_LE(heights.size(), 8u);
+  EXPECT_GE(heights.size(), 5u);
+  int level = 0;
+  for (int j = 0; j < 256; ++j) {
+    for (int i = 0; i < 255; ++i) level += grid.at(i, j) == grid.at(i + 1, j);
+  }
+  EXPECT_GT(level, 256 * 255 * 9 / 10);
+}
+
+TEST(Generator, NoiseIsEvenAndItsNeighboursAreStrangers) {
+  HeightGrid grid = generate("noise", 256, 256, 8);
+  double mean = 0, product = 0;
+  int quarters[4] = {};
+  for (int j = 0; j < 256; ++j) {
+    for (int i = 0; i < 255; ++i) {
+      double here = grid.at(i, j) / 255.0 - 0.5, right = grid.at(i + 1, j) / 255.0 - 0.5;
+      mean += here;
+      product += here * right;
+      ++quarters[grid.at(i, j) / 64];
+    }
+  }
+  const double count = 256 * 255;  // standard errors: 0.0011 of the mean, 0.00033 of the product
+  EXPECT_NEAR(mean / count, 0, 0.006);
+  EXPECT_NEAR(product / count, 0, 0.0016);
+  for (int quarter : quarters) EXPECT_NEAR(quarter / count, 0.25, 0.01);
+}
+
+TEST(Generator, BricksOfEachSecondCourseAreShiftedByHalf) {
+  HeightGrid grid = generate("bricks", 480, 480, 8);  // 12 courses of 40 texels, 4 bricks of 120
+  EXPECT_EQ(grid.at(0, 20), 0);                       // a joint, upright, at the map's border
+  EXPECT_EQ(grid.at(60, 0), 0);                       // a joint that lies
+  EXPECT_GT(grid.at(60, 20), 128);                    // the middle of a brick
+  EXPECT_EQ(grid.at(60, 60), 0);                      // the next course's joint
+  EXPECT_GT(grid.at(0, 60), 128);                     // its brick over the map's border
+}
+
+/// Above 1024 x 1024 texels the relief is made twice instead of kept: the heights are those that keeping it gives.
+TEST(Generator, LargeMapsAreThoseThatAKeptReliefGives) {
+  HeightGrid grid = generate("logo", 1100, 1000, 16, 5);
+  EXPECT_EQ(digest_of(grid), "385710dda9181053f894447eb1bcaf5bcf520c0c257f9ab0f213076587f5b423");
+}
+
+TEST(Generator, TellsItsWatchOfEveryRowAndStopsWhenToldTo) {
+  for (int side : {64, 1100}) {
+    uint64_t last = 0, all = 0;
+    generate("noise", side, side, 8, 1, [&](uint64_t done, uint64_t of) {
+      EXPECT_EQ(done, last + 1);
+      last = done;
+      all = of;
+      return true;
+    });
+    EXPECT_EQ(last, all);
+  }
+  try {
+    generate("flat", 64, 64, 8, 1, [](uint64_t done, uint64_t) { return done < 10; });
+    ADD_FAILURE() << "was not stopped";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::kIncomplete);
+  }
+}
+
 /// The step over the seam is no larger than the largest step inside.
 TEST(Generator, TerrainAndRocksTileWithoutASeam) {
-  for (const char* kind : {"fractal", "rocks", "rockbump"}) {
+  for (const char* kind : {"fractal", "rocks", "rockbump", "bricks", "terraces", "cliffs"}) {
     HeightGrid grid = generate(kind, 192, 128, 12, 4);
     auto step = [&](int i0, int j0, int i1, int j1) { return std::abs(grid.at(i0, j0) - grid.at(i1, j1)); };
     int inside_x = 0, inside_y = 0, seam_x = 0, seam_y = 0;
@@ -134,7 +238,8 @@ TEST(Generator, TerrainAndRocksTileWithoutASeam) {
 }
 
 TEST(Generator, AnotherSeedMakesAnotherMapWhereTheKindIsRandom) {
-  for (const char* kind : {"fractal", "rocks", "text", "spikes", "hawaii", "rockbump"}) {
+  for (const char* kind : {"fractal", "rocks", "text", "spikes", "hawaii", "rockbump", "bricks", "noise",
+                           "cliffs", "terraces"}) {
     EXPECT_EQ(digest_of(generate(kind, 64, 64, 8, 1)), digest_of(generate(kind, 64, 64, 8, 1))) << kind;
     EXPECT_NE(digest_of(generate(kind, 64, 64, 8, 1)), digest_of(generate(kind, 64, 64, 8, 2))) << kind;
   }
