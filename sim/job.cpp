@@ -7,6 +7,7 @@
 #include "models/common/digest.h"
 #include "models/common/error.h"
 #include "models/traversal/hit.h"
+#include "traces/heightmaps/height_source_text.h"
 #include "traces/scene_heights.h"
 #include "traces/scene_library.h"
 
@@ -21,19 +22,10 @@ std::string sha256_of_text(const std::string& text) {
   return digest.hex();
 }
 
-/// "map.png:A" is channel A of map.png, unless there is a file of the whole name.
 void use_heightmap(const std::string& heightmap, Scene& scene) {
-  HeightSource source;
-  source.path = heightmap;
-  const size_t colon = heightmap.rfind(':');
-  std::error_code ignored;
-  if (colon != std::string::npos && !fs::exists(heightmap, ignored)) {
-    source.path = heightmap.substr(0, colon);
-    source.channel = heightmap.substr(colon + 1);
-  }
-  scene.image = source;
+  scene.image = parse_height_source(heightmap);
   scene.generated = {};
-  scene.name = fs::path(source.path).stem().string();
+  scene.name = fs::path(scene.image.path).stem().string();
 }
 
 void apply_changes(const SceneChanges& changes, Scene& scene) {
@@ -61,9 +53,9 @@ void apply_changes(const SceneChanges& changes, Scene& scene) {
   }
 }
 
-HeightGrid load_grid(Job& job) {
+HeightGrid load_grid(Job& job, const SizeCheck& before) {
   const Scene& scene = job.scene;
-  LoadedHeights loaded = heights_of(scene);
+  LoadedHeights loaded = heights_of(scene, before);
   if (!scene.generated.kind.empty()) {
     job.heights_statement =
         "generated " + scene.generated.kind + ", seed " + std::to_string(scene.generated.seed);
@@ -77,18 +69,29 @@ HeightGrid load_grid(Job& job) {
   return grid;
 }
 
-/// A frame that cannot fit is refused in a sentence, before the system ends the program without one.
-void check_memory(uint64_t rays, uint64_t pixels) {
+struct MemoryNeed {
+  uint64_t rays = 0, pixels = 0;
+  int map_width = 0, map_height = 0;  ///< 0: not known yet
+};
+
+/// What cannot fit is refused in a sentence, before the system ends the program without one.
+void check_memory(const MemoryNeed& need) {
   constexpr uint64_t kPerRay =
       sizeof(TracedRay) + sizeof(MachineRay) + sizeof(HitRecord) + 96;  // 96: times, owner
   constexpr uint64_t kPerPixel = 32;                                    // planes
-  const uint64_t needed = rays * kPerRay + pixels * kPerPixel;
+  const bool with_map = need.map_width > 0;
+  const uint64_t map_bytes =
+      with_map ? sizeof(uint16_t) * pyramid_storage(need.map_width, need.map_height) : 0;
+  const uint64_t needed = need.rays * kPerRay + need.pixels * kPerPixel + map_bytes;
   const uint64_t there =
       static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
   if (needed <= there) return;
   constexpr uint64_t kGiB = uint64_t{1} << 30;
-  throw Error(ExitCode::kResource, std::to_string(rays) + " rays over " + std::to_string(pixels) +
-                                       " pixels need about " + std::to_string(needed / kGiB + 1) +
+  const std::string map = with_map ? " and the pyramid of a map of " + std::to_string(need.map_width) +
+                                         " x " + std::to_string(need.map_height) + " texels"
+                                   : "";
+  throw Error(ExitCode::kResource, std::to_string(need.rays) + " rays over " + std::to_string(need.pixels) +
+                                       " pixels" + map + " need about " + std::to_string(needed / kGiB + 1) +
                                        " GiB of memory, and this host has " + std::to_string(there / kGiB) +
                                        "; a smaller --size or a --crop needs less.");
 }
@@ -106,23 +109,31 @@ Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& chang
   job.scene = changed_scene(scene_name_or_path, changes);
   const Scene& scene = job.scene;
   job.inputs.push_back({"scene", scene.origin, sha256_of_text(scene.text)});
+  MemoryNeed need;
   if (scene.rays_file.empty()) {
     const uint64_t pixels = static_cast<uint64_t>(scene.width) * static_cast<uint64_t>(scene.height);
     const uint64_t rays = changes.crop ? static_cast<uint64_t>(changes.crop->width) *
                                              static_cast<uint64_t>(changes.crop->height)
                                        : pixels;
-    check_memory(std::min(rays, pixels), pixels);
+    need.rays = std::min(rays, pixels);
+    need.pixels = pixels;
+    check_memory(need);
   }
 
-  job.pyramid = build_max_pyramid(load_grid(job));
+  job.pyramid = build_max_pyramid(load_grid(job, [&](int map_width, int map_height) {
+    need.map_width = map_width;
+    need.map_height = map_height;
+    check_memory(need);
+  }));
   const int width = job.pyramid.width(0), height = job.pyramid.height(0);
   job.map = {width, height, job.pyramid.root_level(), job.pyramid.bits(), scene.address_mode};
 
   job.trace = make_rays(scene, width, height, changes.crop);
   if (!scene.rays_file.empty()) {
     job.inputs.push_back({"rays", scene.rays_file, sha256_of_file(scene.rays_file)});
-    check_memory(job.trace.rays.size(),
-                 static_cast<uint64_t>(job.trace.width) * static_cast<uint64_t>(job.trace.height));
+    need.rays = job.trace.rays.size();
+    need.pixels = static_cast<uint64_t>(job.trace.width) * static_cast<uint64_t>(job.trace.height);
+    check_memory(need);
   }
   if (job.trace.rays.empty()) {
     throw input_error("No ray of scene " + scene.name +

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include "models/common/error.h"
 #include "models/common/strict_toml.h"
@@ -30,6 +31,26 @@ void refuse_together(const TomlTable& table, std::string_view key, std::string_v
   }
 }
 
+void read_nodata_and_raw(const TomlTable& table, HeightSource& image) {
+  if (table.has("nodata")) {
+    static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    static constexpr Named<double> kWords[] = {
+        {"nan", std::numeric_limits<double>::quiet_NaN()}, {"inf", kInfinity}, {"-inf", -kInfinity}};
+    image.nodata = table.is_text("nodata") ? table.choice("nodata", kWords) : table.real("nodata");
+  }
+  const std::optional<TomlTable> raw = table.optional_table("raw");
+  if (!raw) return;
+  image.raw.width = static_cast<int>(raw->integer("width", {1, kLongestMapSide}));
+  image.raw.height = static_cast<int>(raw->integer("height", {1, kLongestMapSide}));
+  static constexpr Named<SampleKind> kNumbers[] = {
+      {"uint8", SampleKind::kUint8},  {"uint16", SampleKind::kUint16}, {"uint32", SampleKind::kUint32},
+      {"int16", SampleKind::kInt16},  {"int32", SampleKind::kInt32},   {"float", SampleKind::kFloat},
+      {"double", SampleKind::kDouble}};
+  image.raw.numbers = raw->choice("numbers", kNumbers, SampleKind::kUint16);
+  static constexpr Named<bool> kEndian[] = {{"little", false}, {"big", true}};
+  image.raw.big_endian = raw->choice("endian", kEndian, false);
+}
+
 void read_image(const TomlTable& table, const std::string& folder, HeightSource& image) {
   image.path = resolved(folder, table.text("file"));
   if (table.has("channel") && !table.is_text("channel")) {
@@ -52,6 +73,7 @@ void read_image(const TomlTable& table, const std::string& folder, HeightSource&
         "and `range` belong together; accepted: normalise = \"range\" with range = [low, high], or "
         "neither.");
   }
+  read_nodata_and_raw(table, image);
   if (!with_range) return;
   const std::vector<double> range = table.reals("range", kAnyReal, 2);
   if (!(range[0] < range[1]))
@@ -75,7 +97,7 @@ void read_generated(const TomlTable& table, GeneratedHeights& generated) {
 void read_heightmap(const TomlTable& table, const std::string& folder, Scene& scene) {
   refuse_together(table, "file", "generate");
   if (table.has("generate")) {
-    for (std::string_view key : {"channel", "values", "bits", "normalise", "range"}) {
+    for (std::string_view key : {"channel", "values", "bits", "normalise", "range", "nodata", "raw"}) {
       if (table.has(key)) throw table.error(key, "belongs to `file`, and the heights are generated here.");
     }
     read_generated(table.table("generate"), scene.generated);

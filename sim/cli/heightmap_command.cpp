@@ -1,17 +1,23 @@
 #include "sim/cli/heightmap_command.h"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <optional>
 
 #include "models/common/words.h"
 #include "models/heightmap/generator.h"
+#include "models/heightmap/pyramid.h"
 #include "models/heightmap/texel_layout.h"
 #include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
 #include "sim/cli/verbs.h"
+#include "traces/heightmaps/height_source_text.h"
 #include "traces/heightmaps/image_writer.h"
 
 namespace cuesta {
@@ -29,8 +35,14 @@ std::string kind_list() {
   return list;
 }
 
-constexpr std::pair<const char*, Normalisation> kNormalisations[] = {
-    {"auto", Normalisation::kAuto}, {"none", Normalisation::kNone}, {"min_max", Normalisation::kMinMax}};
+/// A bar over rows, from the first word of them to the watch's end.
+Watch watch_of(const Session& session, const char* label) {
+  auto bar = std::make_shared<std::optional<ProgressBar>>();
+  return [&session, label, bar](uint64_t done, uint64_t all) {
+    if (!*bar) bar->emplace(session, label, "rows", all);
+    return (*bar)->update(done);
+  };
+}
 
 class MakeCommand : public Command {
  public:
@@ -44,7 +56,7 @@ class MakeCommand : public Command {
   }
   ExitCode run(const Session& session) override {
     if (!size_.empty()) parse_map_size(size_, options_.width, options_.height);
-    std::string line = heightmap_make(options_);
+    std::string line = heightmap_make(options_, watch_of(session, "making"), watch_of(session, "writing"));
     if (!session.quiet) std::fprintf(stderr, "%s\n", line.c_str());
     return ExitCode::kOk;
   }
@@ -57,44 +69,48 @@ class MakeCommand : public Command {
 class InfoCommand : public Command {
  public:
   void declare(CLI::App& app) override {
-    app.add_option("file", source_.path, "An image: PNG, TIFF, EXR, TGA, BMP, JPEG")->required();
+    app.add_option(
+           "file", source_.path,
+           "An image (PNG, TIFF, EXR, TGA, BMP, JPEG, DDS ...), an ESRI text grid (.asc, .grd), an SRTM tile "
+           "(.hgt), or a file without a header (.raw, .r8, .r16, .r32, or any with --raw)")
+        ->required();
     app.add_option("--channel", source_.channel,
                    "Name or index of the channel to read; default: the one that it can be");
     app.add_option("--values", values_, "What the file holds: height or depth")->capture_default_str();
-    app.add_option("--bits", source_.bits, "Bits of a height, 1 to 16; default: 8 for 8-bit files, else 16");
+    app.add_option("--bits", bits_, "Bits of a height, 1 to 16; default: 8 for 8-bit files, else 16");
     app.add_option("--normalise", normalise_, "auto, none or min_max")->capture_default_str();
-    app.add_option("--range", range_, "LOW,HIGH: what becomes 0 and full scale, in the file's units");
+    app.add_option("--range", range_, "LOW..HIGH: what becomes 0 and full scale, in the file's units");
+    app.add_option(
+        "--nodata", nodata_,
+        "The number of cells without data, which become height 0: -9999, nan; default: as the file says");
+    app.add_option("--raw", raw_,
+                   "A file without a header: WIDTHxHEIGHT, then :uint16 or such, then :little or :big");
   }
   ExitCode run(const Session&) override {
-    if (values_ != "height" && values_ != "depth") {
-      throw usage_error("--values " + printable(values_) + " is not known; accepted are height, depth.");
+    source_.invert = parse_depth(values_, "--values");
+    source_.normalisation = parse_normalisation(normalise_, "--normalise");
+    if (bits_ && (*bits_ < 1 || *bits_ > 16)) {
+      throw usage_error("--bits " + std::to_string(*bits_) + " is not accepted; 1 to 16 bits are.");
     }
-    source_.invert = values_ == "depth";
-    bool known = false;
-    for (auto [name, rule] : kNormalisations) {
-      if (normalise_ != name) continue;
-      source_.normalisation = rule;
-      known = true;
-    }
-    if (!known) {
-      throw usage_error("--normalise " + printable(normalise_) +
-                        " is not known; accepted are auto, none, min_max.");
-    }
+    source_.bits = bits_.value_or(0);
     if (!range_.empty()) {
       if (normalise_ != "auto") {
         throw usage_error("--range and --normalise " + normalise_ +
                           " contradict each other; accepted is one of them.");
       }
       source_.normalisation = Normalisation::kRange;
-      parse_range(range_, source_.low, source_.high);
+      parse_height_range(range_, "--range", source_.low, source_.high);
     }
+    if (!nodata_.empty()) source_.nodata = parse_nodata(nodata_, "--nodata");
+    if (!raw_.empty()) source_.raw = parse_raw_shape(raw_, "--raw");
     std::fputs(heightmap_info(source_).c_str(), stdout);
     return ExitCode::kOk;
   }
 
  private:
   HeightSource source_;
-  std::string values_ = "height", normalise_ = "auto", range_;
+  std::optional<int> bits_;
+  std::string values_ = "height", normalise_ = "auto", range_, nodata_, raw_;
 };
 
 }  // namespace
@@ -110,38 +126,50 @@ void parse_map_size(const std::string& text, int& width, int& height) {
   }
 }
 
-void parse_range(const std::string& text, double& low, double& high) {
-  size_t comma = text.find(',');
-  std::string_view whole = text;
-  if (comma == std::string::npos || !parse_number(whole.substr(0, comma), low) ||
-      !parse_number(whole.substr(comma + 1), high)) {
-    throw usage_error("--range " + printable(text) +
-                      " is not a range; accepted are two numbers, as -4.5,900.");
-  }
+namespace {
+
+/// Before a map's memory is taken: the system would end the program without a sentence.
+void check_map_memory(int width, int height) {
+  const uint64_t needed = sizeof(uint16_t) * pyramid_storage(width, height);
+  const uint64_t there =
+      static_cast<uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<uint64_t>(sysconf(_SC_PAGESIZE));
+  if (needed <= there) return;
+  throw Error(ExitCode::kResource,
+              fmt::format("A map of {} x {} texels and its pyramid take {} MiB of memory, and "
+                          "this host has {}; a smaller map fits.",
+                          width, height, needed >> 20, there >> 20));
 }
 
-std::string heightmap_make(const HeightmapMakeOptions& options) {
+}  // namespace
+
+std::string heightmap_make(const HeightmapMakeOptions& options, const Watch& making, const Watch& writing) {
   refuse_existing(options.output, options.force);
   check_height_image_name(options.output);
   if (options.bits < 0) {
     throw usage_error("--bits " + std::to_string(options.bits) + " is not accepted; 1 to 16 bits are.");
   }
-  HeightGrid grid = generate(options.kind, options.width, options.height, options.bits, options.seed);
-  write_height_image(options.output, grid, options.force);
+  const MapKind* kind = find_map_kind(options.kind);
+  if (kind != nullptr) {
+    check_map_memory(options.width > 0 ? options.width : kind->width,
+                     options.height > 0 ? options.height : kind->height);
+  }
+  HeightGrid grid = generate(options.kind, options.width, options.height, options.bits, options.seed, making);
+  write_height_image(options.output, grid, options.force, writing);
   return fmt::format("{}: {}, {} x {} texels of {} bits, seed {}.", options.output, options.kind, grid.width,
                      grid.height, grid.bits, options.seed);
 }
 
 std::string heightmap_info(const HeightSource& source) {
-  LoadedHeights loaded = load_heights(source);
+  LoadedHeights loaded = load_heights(source, check_map_memory);
   const HeightStatement& found = loaded.statement;
-  Pyramid pyramid = build_max_pyramid(loaded.grid);
   std::vector<std::string_view> channels(found.channels.begin(), found.channels.end());
   uint32_t lowest = loaded.grid.full_scale(), highest = 0;
   for (uint32_t height : loaded.grid.texels) {
     lowest = std::min(lowest, height);
     highest = std::max(highest, height);
   }
+  const int bits = loaded.grid.bits;
+  const Pyramid pyramid = build_max_pyramid(std::move(loaded.grid));
 
   std::string text = source.path + "\n";
   auto line = [&](std::string_view name, const std::string& value) {
@@ -153,16 +181,28 @@ std::string heightmap_info(const HeightSource& source) {
   line("read", fmt::format("{} ({})", found.channel, found.channel_reason));
   line("numbers",
        fmt::format("{}, {} to {}", found.type, shortest_text(found.minimum), shortest_text(found.maximum)));
-  line("becomes", fmt::format("{} bits: {}", loaded.grid.bits, found.normalisation));
+  line("becomes", fmt::format("{} bits: {}", bits, found.normalisation));
   line("heights", fmt::format("{} to {} of {}, {} different", lowest, highest, pyramid.full_scale(),
                               found.distinct_levels));
+  if (!found.nodata.empty()) {
+    line("no data",
+         fmt::format("{} of {} cells, marked by {}", found.nodata_cells,
+                     static_cast<uint64_t>(found.width) * static_cast<uint64_t>(found.height), found.nodata));
+  }
   line("pyramid",
        fmt::format("{} levels, {} nodes of {} byte{}", pyramid.root_level() + 1, pyramid.node_count(),
                    pyramid.texel_bytes(), pyramid.texel_bytes() == 1 ? "" : "s"));
   for (const TexelLayoutEntry& layout : texel_layouts()) {
-    line("", fmt::format("{:<10}{:>12} bytes", layout.name, TexelLayout(layout.kind, pyramid).size_bytes()));
+    line("", fmt::format("{:<14}{:>12} bytes", layout.name, TexelLayout(layout.kind, pyramid).size_bytes()));
   }
   for (const std::string& note : found.notes) line("note", note);
+  const bool square_power = found.width == found.height && (found.width & (found.width - 1)) == 0;
+  if (!square_power) {
+    line("note",
+         fmt::format("The map is no square power of two: it is walked as part of one of {0} x {0}, of which "
+                     "nothing is stored or visited outside the map.",
+                     1 << pyramid.root_level()));
+  }
   if (highest < pyramid.full_scale()) {
     line("note", fmt::format("The map reaches z = {:.4f} of 1.",
                              static_cast<double>(highest) / pyramid.full_scale()));

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "models/heightmap/generator.h"
 #include "traces/heightmaps/image_reader.h"
 
 namespace cuesta {
@@ -18,8 +19,10 @@ struct HeightmapMakeOptions {
 };
 
 /// Makes the map and writes it; gives a line that says what was written. Throws usage_error for a kind, size
-/// or name that is not accepted and for a file that is there already.
-std::string heightmap_make(const HeightmapMakeOptions& options);
+/// or name that is not accepted and for a file that is there already,
+/// Error (resource) for a map that this host's memory does not hold, Error (incomplete) when a watch stops it.
+std::string heightmap_make(const HeightmapMakeOptions& options, const Watch& making = {},
+                           const Watch& writing = {});
 
 /// What the file holds, how it is read, and the pyramid over it, as lines of text. Throws as load_heights
 /// does.
@@ -27,8 +30,5 @@ std::string heightmap_info(const HeightSource& source);
 
 /// "512x256" or "512" (square), texels. Throws usage_error.
 void parse_map_size(const std::string& text, int& width, int& height);
-
-/// "-4.5,900". Throws usage_error.
-void parse_range(const std::string& text, double& low, double& high);
 
 }  // namespace cuesta

@@ -15,8 +15,11 @@ void RunOptions::declare(CLI::App& app) {
   app.add_option("--host", host, "direct: the event loop")->capture_default_str();
   app.add_option("--set", settings, "One value of the architecture: height_l1.ways=4; may be repeated")
       ->allow_extra_args(false);
-  app.add_option("--heightmap", heightmap,
-                 "Heights from an image in the place of the scene's: FILE or FILE:CHANNEL, as rocks.tga:A");
+  app.add_option(
+      "--heightmap", heightmap,
+      "Heights from an image in the place of the scene's: FILE or FILE:CHANNEL, as rocks.tga:A, and then "
+      "any of ,values=depth ,bits=12 ,normalise=min_max ,range=-4.5..921 ,nodata=-9999 "
+      ",raw=1024x1024:uint16");
   app.add_option("--rays", rays_file, "Rays from a .rays or .csv file in the place of the scene's camera");
   app.add_option("--angle", angle_degrees,
                  "The camera's angle to the surface's normal: 0 front to 89.9 grazing");

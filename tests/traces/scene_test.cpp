@@ -108,6 +108,13 @@ TEST(Scene, MistakesNameFileLineKeyAndWhatIsAccepted) {
   expect(kHeightmap + "normalise = \"range\"\n", {"a.toml:3", "range"});
   expect(kHeightmap + "range = [0, 1]\n", {"a.toml:3", "range"});
   expect(kHeightmap + "normalise = \"range\"\nrange = [1, 1]\n", {"a.toml:4", "low < high"});
+  expect(kHeightmap + "nodata = \"none\"\n", {"a.toml:3", "nan, inf, -inf"});
+  expect(kHeightmap + "raw = { width = 4 }\n", {"a.toml:3", "height"});
+  expect(kHeightmap + "raw = { width = 4, height = 16385 }\n", {"a.toml:3", "16384"});
+  expect(kHeightmap + "raw = { width = 4, height = 4, numbers = \"uint12\" }\n",
+         {"a.toml:3", "numbers", "uint16"});
+  expect(kHeightmap + "raw = { width = 4, height = 4, bits = 8 }\n", {"a.toml:3", "bits"});
+  expect("[heightmap]\ngenerate = { kind = \"rocks\" }\nnodata = 1\n", {"a.toml:3", "heightmap.nodata"});
   expect(kHeightmap + "[surface]\ndepth = 0\n", {"a.toml:4", "surface.depth"});
   expect(kHeightmap + "[surface]\ndepth = nan\n", {"a.toml:4", "surface.depth"});
   expect(kHeightmap + "[surface]\ntiles = [1, 2, 3]\n", {"a.toml:4"});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <new>
@@ -135,11 +136,37 @@ std::vector<std::string> ImageFile::notes() const {
   return notes;
 }
 
-int ImageFile::strip_rows() const { return spec_.tile_height > 0 ? spec_.tile_height : 64; }
+/// OpenImageIO 2.4 gives zeros, and no error, for any part of a strip and for one row alone of a TIFF of doubles; whole
+/// strips of two rows or more come out right.
+int ImageFile::rows_of_doubles() const {
+  if (spec_.tile_height > 0 || format() != "tiff" || spec_.format != OIIO::TypeDesc::DOUBLE) return 0;
+  return std::clamp(spec_.get_int_attribute("tiff:RowsPerStrip", spec_.height), 1, spec_.height);
+}
+
+int ImageFile::strip_rows() const {
+  if (spec_.tile_height > 0) return spec_.tile_height;
+  const int whole = rows_of_doubles();
+  return whole > 0 ? (63 / whole + 1) * whole : 64;
+}
 
 void ImageFile::read_rows(int first, int last, int channel, int count, OIIO::TypeDesc::BASETYPE type,
                           void* target) {
   guarded(path_, [&] {
+    if (rows_of_doubles() > 0 && last - first == 1) {  // see rows_of_doubles
+      if (spec_.height == 1) {
+        throw input_error(
+            "The image " + in_quotes(path_) +
+            " is a TIFF of doubles of one row, which OpenImageIO cannot read; float, or two rows, "
+            "is accepted.");
+      }
+      const int before = std::min(first, rows_of_doubles());
+      const size_t row_bytes =
+          OIIO::TypeDesc(type).size() * static_cast<size_t>(spec_.width) * static_cast<size_t>(count);
+      std::vector<char> rows(row_bytes * static_cast<size_t>(before + 1));
+      read_rows(first - before, last, channel, count, type, rows.data());
+      std::memcpy(target, rows.data() + row_bytes * static_cast<size_t>(before), row_bytes);
+      return;
+    }
     bool ok = false;
     if (spec_.tile_width > 0) {
       ok = input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, spec_.y + first, spec_.y + last, spec_.z,

@@ -42,6 +42,7 @@ class ImageFile {
 
  private:
   void open();
+  int rows_of_doubles() const;  ///< of a strip, where only whole strips can be read; else 0
   void refuse_damage(const std::string& damage) const;
   void check_size() const;
 

@@ -189,11 +189,12 @@ void add_notes(const Reading& reading, HeightStatement& statement) {
   }
 }
 
-LoadedHeights load(const HeightSource& source) {
+LoadedHeights load(const HeightSource& source, const SizeCheck& before) {
   check_source(source);
   OpenedHeights opened = open_heights(source);
   SampleSource& samples = *opened.samples;
   const SampleType& type = sample_type(samples.kind());
+  if (before) before(samples.width(), samples.height());
   Reading reading{source, opened, type, {}, {}, {0, 1}, 0, {}};
   if (source.nodata) {
     reading.nodata = Nodata(*source.nodata, type.kind, "asked for");
@@ -233,9 +234,9 @@ LoadedHeights load(const HeightSource& source) {
 
 }  // namespace
 
-LoadedHeights load_heights(const HeightSource& source) {
+LoadedHeights load_heights(const HeightSource& source, const SizeCheck& before) {
   try {
-    return load(source);
+    return load(source, before);
   } catch (const std::bad_alloc&) {
     throw Error(ExitCode::kResource,
                 "The heights of the image \"" + source.path + "\" do not fit into memory.");

@@ -55,6 +55,9 @@ struct HeightStatement {
   std::vector<std::string> notes;  ///< palette, lossy format, clamped heights, inversion: one sentence each
 };
 
+/// Hears of a map's width and height before its memory is taken; may throw.
+using SizeCheck = std::function<void(int width, int height)>;
+
 struct LoadedHeights {
   HeightGrid grid;
   HeightStatement statement;
@@ -69,7 +72,7 @@ struct LoadedHeights {
 /// on a side, or declared so much larger than its bytes that it cannot be whole; for an unknown or undecided
 /// channel; for NaN or infinity (with the pixel) and for a common marker of cells without data (-9999, -32768,
 /// -3.4e38 ...) as the lowest number under kMinMax, both unless `nodata` names them. Throws usage_error for bits or a
-/// range that make no sense.
-LoadedHeights load_heights(const HeightSource& source);
+/// range that make no sense, and what `before` throws.
+LoadedHeights load_heights(const HeightSource& source, const SizeCheck& before = {});
 
 }  // namespace cuesta

@@ -21,7 +21,8 @@ std::string format_of(const std::string& path) {
 }
 
 /// Writes everything to `path`; empty, or what went wrong.
-std::string write_rows(const std::string& path, const std::string& format, const HeightGrid& grid) {
+std::string write_rows(const std::string& path, const std::string& format, const HeightGrid& grid,
+                       const Watch& watch) {
   bool small = grid.bits <= 8;
   uint32_t white = small ? 255 : 65535;
   auto output = OIIO::ImageOutput::create(format);
@@ -40,6 +41,11 @@ std::string write_rows(const std::string& path, const std::string& format, const
     bool ok = small ? output->write_scanline(j, 0, OIIO::TypeDesc::UINT8, narrow.data())
                     : output->write_scanline(j, 0, OIIO::TypeDesc::UINT16, wide.data());
     if (!ok) return output->geterror() + " ";
+    if (watch && !watch(static_cast<uint64_t>(j) + 1, static_cast<uint64_t>(grid.height))) {
+      output->close();
+      throw Error(ExitCode::kIncomplete,
+                  "Writing the image was stopped before it was whole; nothing of it is kept.");
+    }
   }
   return output->close() ? "" : output->geterror() + " ";
 }
@@ -48,7 +54,7 @@ std::string write_rows(const std::string& path, const std::string& format, const
 
 void check_height_image_name(const std::string& path) { format_of(path); }
 
-void write_height_image(const std::string& path, const HeightGrid& grid, bool overwrite) {
+void write_height_image(const std::string& path, const HeightGrid& grid, bool overwrite, const Watch& watch) {
   std::string format = format_of(path);
   std::error_code fault;
   if (!overwrite && std::filesystem::exists(path, fault)) {
@@ -58,7 +64,10 @@ void write_height_image(const std::string& path, const HeightGrid& grid, bool ov
   std::string partial = path + ".partial." + std::to_string(getpid());
   std::string reason;
   try {
-    reason = write_rows(partial, format, grid);
+    reason = write_rows(partial, format, grid, watch);
+  } catch (const Error&) {
+    std::filesystem::remove(partial, fault);
+    throw;
   } catch (const std::exception& error) {
     reason = std::string(error.what()) + " ";
   }

@@ -7,6 +7,7 @@
 
 #include "models/common/error.h"
 #include "models/heightmap/generator.h"
+#include "traces/heightmaps/height_source_text.h"
 
 namespace cuesta {
 namespace {
@@ -54,6 +55,59 @@ TEST_F(HeightmapCommand, AFileThatIsThereIsReplacedOnlyWithForce) {
   heightmap_make(options);
 }
 
+TEST_F(HeightmapCommand, AWatchThatSaysStopLeavesNoFile) {
+  const HeightmapMakeOptions options{"noise", path("n.png"), 64, 64, 8, 1, false};
+  const Watch stop = [](uint64_t done, uint64_t) { return done < 20; };
+  for (bool while_making : {true, false}) {
+    try {
+      heightmap_make(options, while_making ? stop : Watch(), while_making ? Watch() : stop);
+      ADD_FAILURE() << "was not stopped";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::kIncomplete) << error.what();
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  }
+}
+
+TEST_F(HeightmapCommand, InfoTellsOfCellsWithoutDataAndOddSizes) {
+  heightmap_make({"steps", path("s.png"), 20, 5, 8, 1, false});
+  HeightSource source;
+  source.path = path("s.png");
+  source.nodata = 255;
+  const std::string text = heightmap_info(source);
+  for (const char* part : {"no data     5 of 100 cells, marked by 255 (asked for)", "no square power of two",
+                           "part of one of 32 x 32", "blocks_4x4", "ki2007_slices"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is not in\n" << text;
+  }
+}
+
+TEST_F(HeightmapCommand, HeightsOnACommandLineAreAFileAChannelAndKeys) {
+  HeightSource plain = parse_height_source("a/b.tga");
+  EXPECT_EQ(plain.path, "a/b.tga");
+  EXPECT_EQ(plain.channel, "");
+  HeightSource full = parse_height_source("dem, old.tif:A,values=depth,bits=12,range=-4.5..921,nodata=nan");
+  EXPECT_EQ(full.path, "dem, old.tif");
+  EXPECT_EQ(full.channel, "A");
+  EXPECT_TRUE(full.invert);
+  EXPECT_EQ(full.bits, 12);
+  EXPECT_EQ(full.normalisation, Normalisation::kRange);
+  EXPECT_EQ(full.low, -4.5);
+  EXPECT_EQ(full.high, 921);
+  EXPECT_TRUE(full.nodata && *full.nodata != *full.nodata);
+  HeightSource raw = parse_height_source("m.raw,raw=64x32:int16:big,normalise=min_max");
+  EXPECT_EQ(raw.raw.width, 64);
+  EXPECT_EQ(raw.raw.height, 32);
+  EXPECT_EQ(raw.raw.numbers, SampleKind::kInt16);
+  EXPECT_TRUE(raw.raw.big_endian);
+  heightmap_make({"flat", path("x,bits=3.png"), 2, 2, 8, 1, false});
+  EXPECT_EQ(parse_height_source(path("x,bits=3.png")).path, path("x,bits=3.png"));
+  for (const char* wrong :
+       {"m.png,bits=0", "m.png,bits=17", "m.png,bits=", "m.png,bit=8", "m.png,values=up", "m.png,raw=4",
+        "m.png,bits=8,bits=9", "m.png,range=0..1,normalise=none", "m.png,nodata=x"}) {
+    EXPECT_THROW(parse_height_source(wrong), Error) << wrong;
+  }
+}
+
 TEST_F(HeightmapCommand, SizesAndRangesAreReadWholeOrRefused) {
   int width = 0, height = 0;
   parse_map_size("640x480", width, height);
@@ -67,11 +121,15 @@ TEST_F(HeightmapCommand, SizesAndRangesAreReadWholeOrRefused) {
     EXPECT_THROW(parse_map_size(wrong, width, height), Error) << wrong;
   }
   double low = 0, high = 0;
-  parse_range("-4.5,900", low, high);
+  parse_height_range("-4.5,900", "--range", low, high);
   EXPECT_EQ(low, -4.5);
   EXPECT_EQ(high, 900);
-  for (const char* wrong : {"", "1", "1,", ",1", "1,2,3", "a,b", "1;2"}) {
-    EXPECT_THROW(parse_range(wrong, low, high), Error) << wrong;
+  parse_height_range("-9..-4.5", "--range", low, high);
+  EXPECT_EQ(low, -9);
+  EXPECT_EQ(high, -4.5);
+  for (const char* wrong :
+       {"", "1", "1,", ",1", "1,2,3", "a,b", "1;2", "2..1", "1..1", "0..inf", "nan..1", ".."}) {
+    EXPECT_THROW(parse_height_range(wrong, "--range", low, high), Error) << wrong;
   }
 }
 
