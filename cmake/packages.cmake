@@ -9,6 +9,7 @@ find_package(nlohmann_json REQUIRED CONFIG)        # nlohmann_json::nlohmann_jso
 find_package(CLI11 REQUIRED CONFIG)                # CLI11::CLI11
 find_package(fmt REQUIRED CONFIG)                  # fmt::fmt
 include(openimageio)                               # OpenImageIO::OpenImageIO
+include(systemc)                                   # cuesta_systemc
 
 if(BUILD_TESTING)
   find_package(GTest REQUIRED CONFIG)              # GTest::gtest, GTest::gtest_main, GTest::gmock
@@ -16,5 +17,4 @@ if(BUILD_TESTING)
   find_package(benchmark REQUIRED CONFIG)          # benchmark::benchmark_main
   find_package(rapidcheck REQUIRED CONFIG)         # rapidcheck
   find_package(Boost 1.74 REQUIRED)                # Boost::headers (Multiprecision)
-  include(systemc)                                 # cuesta_systemc
 endif()

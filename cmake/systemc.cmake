@@ -3,7 +3,7 @@
 pkg_check_modules(SystemC REQUIRED IMPORTED_TARGET GLOBAL systemc)
 add_library(cuesta_systemc INTERFACE)
 target_link_libraries(cuesta_systemc INTERFACE PkgConfig::SystemC)
-target_compile_definitions(cuesta_systemc INTERFACE SC_CPLUSPLUS=201703L)
+target_compile_definitions(cuesta_systemc INTERFACE SC_CPLUSPLUS=201703L SC_INCLUDE_DYNAMIC_PROCESSES)
 
 if(NOT DEFINED CUESTA_SYSTEMC_LINKS)
   try_compile(CUESTA_SYSTEMC_LINKS

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string>
@@ -72,6 +73,8 @@ class CycleMachine {
   }
   /// request_latency_cycles + response_latency_cycles.
   Cycle window() const { return window_; }
+  /// Pipelines advance in turn by `cycles` at most, so that `fill` between two calls of advance is exact.
+  void step_by(Cycle cycles) { step_ = std::min(step_, cycles); }
   /// No record enters a hit_queue before `cycle`.
   void hold_hits_until(Cycle cycle);
   /// From now on completed rays are added to the lists, one list per pipeline, in order.
@@ -89,6 +92,7 @@ class CycleMachine {
   uint64_t completed() const;
   /// Each queue's fill and who waits for whom.
   std::string who_waits() const;
+  int pipelines() const { return pipelines_; }
   PipelineFill fill(int pipeline) const;
   const HitRecord& hit(uint32_t ray) const { return hits_[ray]; }
   const RayTiming& timing(uint32_t ray) const { return timing_[ray]; }

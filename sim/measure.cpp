@@ -96,7 +96,8 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
   work.height = job_.trace.height;
   work.schedule = algorithm.schedule;
   Outcome outcome = fidelity == Fidelity::kFunctional ? run_functional(work, architecture, progress)
-                                                      : run_cycle(work, architecture, progress);
+                    : cycle_runner_ ? cycle_runner_(work, job_.trace.rays, architecture, progress)
+                                    : run_cycle(work, architecture, progress);
 
   RunEntry entry;
   entry.scene = job_.scene.name;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,11 +17,17 @@ namespace cuesta {
 
 std::string_view name_of(Fidelity fidelity);
 
+/// What runs a machine cycle by cycle: run_cycle, or a host around it. `rays`: as traced, in the order of
+/// `work.rays`.
+using CycleRunner = std::function<Outcome(const Workload& work, std::span<const TracedRay> rays,
+                                          const Architecture& architecture, const Progress& progress)>;
+
 /// Runs algorithms on machines over one job, and holds every run against what must be true of it.
 class Measurer {
  public:
   /// `job` must outlive it.
-  explicit Measurer(const Job& job) : job_(job) {}
+  explicit Measurer(const Job& job, CycleRunner cycle_runner = {})
+      : job_(job), cycle_runner_(std::move(cycle_runner)) {}
 
   /// The algorithm as algorithm_on(..., architecture) has it; the entry carries that name. Throws usage_error for a stop
   /// level above the map's root.
@@ -42,6 +50,7 @@ class Measurer {
 
   const Job& job_;
   std::optional<Pyramid> stopped_;  ///< of the last stop level above 0
+  CycleRunner cycle_runner_;        ///< empty: run_cycle
   std::vector<std::pair<NumberFormat, std::vector<MachineRay>>> rays_;
   std::map<std::string, std::pair<std::string, std::string>>
       hits_;  ///< numbers and leaves -> digest, who found it

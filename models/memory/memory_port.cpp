@@ -42,8 +42,12 @@ void MemoryPort::answer(uint64_t number, Cycle response, int bus_clocks, int row
 }
 
 void MemoryPort::deliver_until(Cycle limit) {
-  std::erase_if(in_flight_, [&](const InFlight& request) {
-    if (request.response >= limit || request.client->earliest(request.response) >= limit) return false;
+  std::erase_if(in_flight_, [&](InFlight& request) {
+    if (request.response >= limit) return false;
+    if (request.client->earliest(request.response) >= limit) {
+      request.response = limit;  // every cycle below is taken
+      return false;
+    }
     request.client->respond(request.slot, request.response);
     return true;
   });

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sim/cli/cycle_host.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
@@ -29,7 +30,7 @@ class CompareCommand : public Command {
   ExitCode run(const Session& session) override {
     const auto start = std::chrono::steady_clock::now();
     const Fidelity fidelity = parse_fidelity(options_.fidelity);
-    check_host(options_.host);
+    const Host host = parse_host(options_.host, fidelity);
     const auto algorithms = parse_algorithms(algorithms_);
     if (architectures_.empty()) architectures_.push_back("mobile");
     const auto machines = parse_architectures(architectures_, options_.settings, fidelity);
@@ -40,6 +41,8 @@ class CompareCommand : public Command {
     }
     const SceneChanges changes = scene_changes(options_);
     Result result = begin_result("compare", session);
+    result.manifest.environment.emplace_back("simulation_host", options_.host);
+    const CycleRunner cycle_runner = make_cycle_runner(session, host, "", machines);
     add_inputs(machines, result);
 
     for (const ResolvedArchitecture& machine : machines) {
@@ -60,7 +63,7 @@ class CompareCommand : public Command {
       const Job job = prepare_job(scene, changes);
       add_inputs(job, result);
       remark_inputs(session, job, machines);
-      measure_all(session, job, algorithms, machines, fidelity, result);
+      measure_all(session, job, algorithms, machines, fidelity, cycle_runner, result);
     }
     size_t planned = 0;
     for (const ResolvedArchitecture& machine : machines) {
@@ -84,8 +87,8 @@ class CompareCommand : public Command {
 
   static void measure_all(const Session& session, const Job& job, const std::vector<Algorithm>& algorithms,
                           const std::vector<ResolvedArchitecture>& machines, Fidelity fidelity,
-                          Result& result) {
-    Measurer measurer(job);
+                          const CycleRunner& cycle_runner, Result& result) {
+    Measurer measurer(job, cycle_runner);
     for (const ResolvedArchitecture& machine : machines) {
       for (const Algorithm& algorithm : distinct_on(machine.architecture, algorithms)) {
         if (stop_requested()) return;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sim/cli/cycle_host.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
@@ -27,13 +28,14 @@ class RunCommand : public Command {
                    "One out of `cuesta list algorithms`, or a schedule such as root:common:never:quad")
         ->capture_default_str();
     app.add_option("--arch", architecture_, "Preset or architecture file")->capture_default_str();
+    app.add_option("--vcd", waves_, "With --host systemc: the machine's signals into a VCD file; slow");
     options_.declare(app);
   }
 
   ExitCode run(const Session& session) override {
     const auto start = std::chrono::steady_clock::now();
     const Fidelity fidelity = parse_fidelity(options_.fidelity);
-    check_host(options_.host);
+    const Host host = parse_host(options_.host, fidelity);
     const auto algorithms = parse_algorithms({algorithm_});
     const auto machines = parse_architectures({architecture_}, options_.settings, fidelity);
     if (algorithms.size() != 1 || machines.size() != 1) {
@@ -43,6 +45,7 @@ class RunCommand : public Command {
     const std::string scene = scene_or_default(scene_, options_);
     const SceneChanges changes = scene_changes(options_);
     Result result = begin_result("run", session);
+    result.manifest.environment.emplace_back("simulation_host", options_.host);
     ResultFolder folder = open_result_folder(
         options_, changed_scene(scene, changes).name + "-" + folder_name(algorithms[0].id));
     const Job job = prepare_job(scene, changes);
@@ -50,7 +53,7 @@ class RunCommand : public Command {
     add_inputs(machines, result);
     remark_inputs(session, job, machines);
 
-    Measurer measurer(job);
+    Measurer measurer(job, make_cycle_runner(session, host, waves_, machines));
     {
       ProgressBar bar(session, algorithms[0].id, "rays", job.trace.rays.size());
       result.runs.push_back(measurer.run(algorithms[0], machines[0].architecture, fidelity,
@@ -63,6 +66,7 @@ class RunCommand : public Command {
   std::string scene_;
   std::string algorithm_ = "yun2013";
   std::string architecture_ = "mobile";
+  std::string waves_;
   RunOptions options_;
 };
 

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "models/common/words.h"
+#include "sim/measure.h"
 
 namespace cuesta {
 
@@ -12,7 +13,10 @@ void RunOptions::declare(CLI::App& app) {
   app.add_option("--fidelity", fidelity,
                  "functional (hits and steps, no time) or cycle (every cycle of every unit)")
       ->capture_default_str();
-  app.add_option("--host", host, "direct: the event loop")->capture_default_str();
+  app.add_option(
+         "--host", host,
+         "direct (the event loop) or systemc (the machine as a SystemC module, its dram behind a TLM socket)")
+      ->capture_default_str();
   app.add_option("--set", settings, "One value of the architecture: height_l1.ways=4; may be repeated")
       ->allow_extra_args(false);
   app.add_option(
@@ -44,12 +48,19 @@ Fidelity parse_fidelity(const std::string& name) {
                     (near.empty() ? "." : near));
 }
 
-void check_host(const std::string& name) {
-  if (name == "direct") return;
-  if (name == "systemc") {
-    throw usage_error("--host systemc is not available in this version; accepted is direct.");
+Host parse_host(const std::string& name, Fidelity fidelity) {
+  if (name == "direct") return Host::kDirect;
+  static constexpr std::string_view kNames[] = {"direct", "systemc"};
+  if (name != "systemc") {
+    const std::string near = did_you_mean(name, kNames);
+    throw usage_error("There is no host `" + printable(name) + "`; accepted are direct, systemc" +
+                      (near.empty() ? "." : near));
   }
-  throw usage_error("There is no host `" + printable(name) + "`; accepted is direct.");
+  if (fidelity != Fidelity::kCycle) {
+    throw usage_error("--host systemc runs the machine in time, and --fidelity " +
+                      std::string(name_of(fidelity)) + " has none; accepted with it is --fidelity cycle.");
+  }
+  return Host::kSystemC;
 }
 
 namespace {

@@ -12,6 +12,8 @@
 
 namespace cuesta {
 
+enum class Host : uint8_t { kDirect, kSystemC };
+
 /// Options that `run` and `compare` share.
 struct RunOptions {
   std::string fidelity = "cycle";
@@ -26,9 +28,10 @@ struct RunOptions {
   void declare(CLI::App& app);
 };
 
-/// Throws usage_error for names that are not known, and for known ones that this program cannot run yet.
+/// Throws usage_error for names that are not known, for known ones that this program cannot run yet, and for a host
+/// that does not go with the fidelity.
 Fidelity parse_fidelity(const std::string& name);
-void check_host(const std::string& name);
+Host parse_host(const std::string& name, Fidelity fidelity);
 
 /// Throws usage_error for angles, depths, sizes and crops out of range.
 SceneChanges scene_changes(const RunOptions& options);
