@@ -42,6 +42,7 @@ class RunCommand : public Command {
       throw usage_error(
           "`cuesta run` takes one algorithm and one architecture; `cuesta compare` takes several.");
     }
+    const CycleRunner cycle_runner = make_cycle_runner(session, host, waves_, machines);
     const std::string scene = scene_or_default(scene_, options_);
     const SceneChanges changes = scene_changes(options_);
     Result result = begin_result("run", session);
@@ -53,7 +54,7 @@ class RunCommand : public Command {
     add_inputs(machines, result);
     remark_inputs(session, job, machines);
 
-    Measurer measurer(job, make_cycle_runner(session, host, waves_, machines));
+    Measurer measurer(job, cycle_runner);
     {
       ProgressBar bar(session, algorithms[0].id, "rays", job.trace.rays.size());
       result.runs.push_back(measurer.run(algorithms[0], machines[0].architecture, fidelity,

@@ -16,9 +16,10 @@ DramTarget::DramTarget(const sc_core::sc_module_name& name) : sc_core::sc_module
   dont_initialize();
 }
 
-void DramTarget::load(const DramParameters& parameters, int granule_bytes, const MachineClock& clock) {
-  parameters_ = parameters;
-  dram_ = std::make_unique<Dram>(parameters, granule_bytes);
+void DramTarget::load(const Architecture& architecture, const MachineClock& clock) {
+  parameters_ = architecture.dram;
+  dram_ = std::make_unique<Dram>(
+      parameters_, std::max(architecture.height_l1.line_bytes, architecture.result_writer.burst_bytes));
   clock_ = std::make_unique<MachineClock>(clock);
   bytes_.clear();
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "models/architecture.h"
 #include "models/memory/dram.h"
 #include "sim/hosts/systemc/machine_clock.h"
 
@@ -22,8 +23,8 @@ class DramTarget : public sc_core::sc_module {
   tlm_utils::simple_target_socket<DramTarget> socket{"socket"};
 
   explicit DramTarget(const sc_core::sc_module_name& name);
-  /// All banks closed, all bytes 0. `clock`: the machine's; `granule_bytes`: see Dram.
-  void load(const DramParameters& parameters, int granule_bytes, const MachineClock& clock);
+  /// All banks closed, all bytes 0. `clock`: the machine's.
+  void load(const Architecture& architecture, const MachineClock& clock);
   const Dram::Counts& counts() const { return dram_->counts(); }
 
  private:

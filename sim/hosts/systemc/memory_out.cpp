@@ -116,9 +116,10 @@ void MemoryOut::send_requests() {
     last_address_ = payload.get_address();
     if (parameters_.memory_protocol == MemoryProtocol::kBlocking) {
       hand_to_worker(payload);
-    } else {
-      begin_request(payload);
+      send_.notify(sc_core::SC_ZERO_TIME);  // the next one a delta cycle later: calls begin in order
+      return;
     }
+    begin_request(payload);
   }
 }
 
@@ -179,7 +180,10 @@ void MemoryOut::hand_to_worker(Payload& payload) {
   if (idle_.empty()) {
     Worker& worker = *workers_.emplace_back(std::make_unique<Worker>());
     idle_.push_back(&worker);
-    sc_core::sc_spawn([this, &worker] { work(worker); }, sc_core::sc_gen_unique_name("request"));
+    sc_core::sc_spawn_options options;
+    options.dont_initialize();
+    options.set_sensitivity(&worker.go);
+    sc_core::sc_spawn([this, &worker] { work(worker); }, sc_core::sc_gen_unique_name("request"), &options);
   }
   Worker& worker = *idle_.back();
   idle_.pop_back();
@@ -189,7 +193,7 @@ void MemoryOut::hand_to_worker(Payload& payload) {
 
 void MemoryOut::work(Worker& worker) {
   for (;;) {
-    if (worker.payload == nullptr) wait(worker.go);
+    while (worker.payload == nullptr) wait(worker.go);
     Payload& payload = *worker.payload;
     sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
     socket->b_transport(payload, delay);

@@ -75,7 +75,7 @@ class MemoryOut : public sc_core::sc_module, private tlm::tlm_mm_interface {
   size_t in_flight_ = 0;
   uint64_t last_address_ = 0;
   sc_core::sc_event send_;
-  tlm_utils::peq_with_get<Payload> end_responses_{"end_responses"};
+  tlm_utils::peq_with_get<Payload> end_responses_{"responses_to_end"};
   std::vector<std::unique_ptr<Worker>> workers_;
   std::vector<Worker*> idle_;
   std::vector<std::unique_ptr<Payload>> payloads_;

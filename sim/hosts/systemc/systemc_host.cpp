@@ -56,9 +56,7 @@ Outcome SystemCHost::run(const Workload& work, std::span<const TracedRay> rays,
   Modules& m = *modules_;
   try {
     m.machine.load({work.pyramid, work.map, work.schedule, work.width, work.height, &architecture}, progress);
-    m.dram.load(architecture.dram,
-                std::max(architecture.height_l1.line_bytes, architecture.result_writer.burst_bytes),
-                m.machine.clock());
+    m.dram.load(architecture, m.machine.clock());
     m.feeder.feed(std::move(in_order));
     sc_core::sc_start();
   } catch (const sc_core::sc_report& report) {
