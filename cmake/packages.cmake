@@ -8,6 +8,7 @@ find_package(tomlplusplus REQUIRED CONFIG)         # headers alone, without its 
 find_package(nlohmann_json REQUIRED CONFIG)        # nlohmann_json::nlohmann_json
 find_package(CLI11 REQUIRED CONFIG)                # CLI11::CLI11
 find_package(fmt REQUIRED CONFIG)                  # fmt::fmt
+find_package(Boost 1.74 REQUIRED)                  # Boost::headers (Multiprecision, for the oracle)
 include(openimageio)                               # OpenImageIO::OpenImageIO
 include(systemc)                                   # cuesta_systemc
 
@@ -16,5 +17,4 @@ if(BUILD_TESTING)
   include(GoogleTest)
   find_package(benchmark REQUIRED CONFIG)          # benchmark::benchmark_main
   find_package(rapidcheck REQUIRED CONFIG)         # rapidcheck
-  find_package(Boost 1.74 REQUIRED)                # Boost::headers (Multiprecision)
 endif()

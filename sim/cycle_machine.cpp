@@ -259,6 +259,7 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
     set("traverse", "rays", t.rays);
     set("traverse", "hits", t.hits);
     set("traverse", "slots_step", t.steps);
+    set("traverse", "slots_part", t.part_slots);
     set("traverse", "slots_miss", t.miss_slots);
     set("traverse", "slots_refused", t.refused_slots);
     set("traverse", "slots_dead", t.dead_slots);
@@ -267,6 +268,8 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
     set("traverse", "bubble_drain", t.drain);
     set("traverse", "stall_hit_queue", t.stalls);
     set("traverse", "replays", t.replays);
+    set("traverse", "kept_steps", t.kept_steps);
+    set("traverse", "line_accesses", t.steps - t.kept_steps + t.part_slots);
     set("traverse", "resident_cycles", t.resident_cycles);
     const HeightL1::Counts& l1 = unit.l1.counts();
     set("height_l1", "accesses", l1.accesses);

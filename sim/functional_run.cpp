@@ -2,6 +2,7 @@
 #include <array>
 #include <type_traits>
 
+#include "models/traversal/fetch.h"
 #include "models/traversal/lanes.h"
 #include "models/traversal/traversal.h"
 #include "sim/machine.h"
@@ -15,7 +16,7 @@ constexpr size_t kRaysPerReport = 1 << 14;
 
 template <class A, class G>
 uint64_t trace_all(const Workload& work, const NumberFormat& format, const Progress& progress,
-                   std::vector<HitRecord>& hits) {
+                   std::vector<HitRecord>& hits, FetchCounts& fetches) {
   const Pyramid& pyramid = *work.pyramid;
   const int root = pyramid.root_level();
   const Walk<A, G> walk(work.map, format, work.schedule, pyramid.highest());
@@ -41,6 +42,19 @@ uint64_t trace_all(const Workload& work, const NumberFormat& format, const Progr
         continue;
       }
     }
+    if (work.schedule.fetch == FetchRule::kQuad) {
+      for (size_t k = first; k < first + count; ++k) {
+        KeptQuad kept;
+        hits[k] = traverse_ray(walk, work.rays[k], [&](int level, int64_t i, int64_t j) {
+          if (kept.fetches(level, i, j)) {
+            const Quad quad = Quad::of(pyramid, level, static_cast<int>(i), static_cast<int>(j));
+            fetches.add({1, int64_t{quad.width} * quad.height});
+          }
+          return fetch(level, i, j);
+        });
+      }
+      continue;
+    }
     for (size_t k = first; k < first + count; ++k) hits[k] = traverse_ray(walk, work.rays[k], fetch);
   }
   if (progress) progress(work.rays.size(), work.rays.size());
@@ -57,10 +71,14 @@ Outcome run_functional(const Workload& work, const Architecture& architecture, c
     outcome.hits[k].status = HitStatus::kDidNotFinish;
   }
   const NumberFormat format = number_format(architecture.traverse, work.map);
+  FetchCounts fetches;
   outcome.finished_rays = with_traversal_types(
       architecture.traverse.arithmetic, work.map,
-      [&]<class A, class G>() { return trace_all<A, G>(work, format, progress, outcome.hits); });
-  add_hit_measurements(work, outcome.hits, outcome.measurements);
+      [&]<class A, class G>() { return trace_all<A, G>(work, format, progress, outcome.hits, fetches); });
+  if (work.schedule.fetch == FetchRule::kTexel) {
+    for (const HitRecord& hit : outcome.hits) fetches.add({hit.steps, hit.steps});
+  }
+  add_hit_measurements(work, outcome.hits, fetches, outcome.measurements);
   seal(work, outcome.finished_rays == work.rays.size(), outcome);
   return outcome;
 }

@@ -34,7 +34,7 @@ void check_pipeline(Laws& laws, int pipeline, const Architecture& architecture) 
   laws.equal("records out of hit_queue = records written" + where, get("hit_queue", "pops"),
              get("result_writer", "records"));
   laws.equal("reasons add up to traverse's cycles" + where,
-             get("traverse", "slots_step") + get("traverse", "slots_miss") +
+             get("traverse", "slots_step") + get("traverse", "slots_part") + get("traverse", "slots_miss") +
                  get("traverse", "slots_refused") + get("traverse", "slots_dead") +
                  get("traverse", "bubble_contexts_full") + get("traverse", "bubble_no_ray") +
                  get("traverse", "bubble_drain") + get("traverse", "stall_hit_queue"),
@@ -42,8 +42,11 @@ void check_pipeline(Laws& laws, int pipeline, const Architecture& architecture) 
   laws.equal("lookups = hits + misses + merges + refused" + where, get("height_l1", "accesses"),
              get("height_l1", "hits") + get("height_l1", "misses") + get("height_l1", "merges") +
                  get("height_l1", "refused"));
-  laws.equal("steps = lookups that hit + replays" + where, get("traverse", "slots_step"),
+  laws.equal("line accesses = lookups that hit + replays" + where, get("traverse", "line_accesses"),
              get("height_l1", "hits") + get("traverse", "replays"));
+  laws.equal(
+      "steps = line accesses that end a step + kept steps" + where, get("traverse", "slots_step"),
+      get("traverse", "line_accesses") - get("traverse", "slots_part") + get("traverse", "kept_steps"));
   laws.equal("parked rays = replayed rays" + where, get("height_l1", "misses") + get("height_l1", "merges"),
              get("traverse", "replays"));
   laws.equal("misses = fills" + where, get("height_l1", "misses"), get("height_l1", "fills"));
@@ -79,6 +82,12 @@ std::vector<std::string> broken_laws(const Workload& work, const Architecture& a
              laws.get("machine.hits") + laws.get("machine.misses"));
   laws.equal("rays of the trace = hit records", static_cast<int64_t>(work.rays.size()),
              laws.get("machine.rays"));
+  if (work.schedule.fetch == FetchRule::kTexel) {
+    laws.equal("fetches = steps", laws.get("machine.fetches"), laws.get("machine.steps"));
+    laws.equal("fetched texels = steps", laws.get("machine.fetched_texels"), laws.get("machine.steps"));
+  }
+  laws.equal("bytes without a cache = fetched texels x their bytes", laws.get("machine.texel_bytes"),
+             laws.get("machine.fetched_texels") * work.pyramid->texel_bytes());
   const int pipelines = fidelity == Fidelity::kCycle ? architecture.machine.pipelines : 0;
   check_planes(laws, outcome.measurements, pipelines);
   if (fidelity == Fidelity::kCycle) {
@@ -87,6 +96,8 @@ std::vector<std::string> broken_laws(const Workload& work, const Architecture& a
     laws.equal("rays sent = rays completed", laws.get("ray_dispatch.rays"), counters.sum("traverse", "rays"));
     laws.equal("steps of the hit records = slots with a step", laws.get("machine.steps"),
                counters.sum("traverse", "slots_step"));
+    laws.equal("steps = fetches + kept steps", laws.get("machine.steps"),
+               laws.get("machine.fetches") + counters.sum("traverse", "kept_steps"));
     laws.equal("bytes read from dram = bytes filled", laws.get("dram.read_bytes"),
                counters.sum("height_l1", "fill_bytes"));
     laws.equal("bytes written to dram = bytes of bursts", laws.get("dram.write_bytes"),

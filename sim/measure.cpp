@@ -83,10 +83,6 @@ void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Archite
 RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture, Fidelity fidelity,
                        const Progress& progress) {
   const Algorithm algorithm = algorithm_on(named, architecture.traverse);
-  if (algorithm.schedule.fetch != FetchRule::kTexel) {
-    throw usage_error("Algorithm " + algorithm.id +
-                      ": quad is not available in this version; accepted are schedules without it.");
-  }
   Workload work;
   work.pyramid = &pyramid_for(algorithm);
   work.map = job_.map;

@@ -61,7 +61,8 @@ Plane plane_of(const Workload& work, const char* name, Value&& value) {
 
 }  // namespace
 
-void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, Measurements& measurements) {
+void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, const FetchCounts& fetches,
+                          Measurements& measurements) {
   Counters& counters = measurements.counters;
   int64_t hit = 0, miss = 0, dead = 0, unfinished = 0, steps = 0;
   std::vector<int64_t> per_ray;
@@ -80,7 +81,9 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
   counters.set("machine.dead_rays", dead);
   counters.set("machine.unfinished_rays", unfinished);
   counters.set("machine.steps", steps);
-  counters.set("machine.texel_bytes", steps * work.pyramid->texel_bytes());
+  counters.set("machine.fetches", fetches.fetches);
+  counters.set("machine.fetched_texels", fetches.texels);
+  counters.set("machine.texel_bytes", fetches.texels * work.pyramid->texel_bytes());
   measurements.histograms.push_back(make_histogram("steps", std::move(per_ray)));
   measurements.plane_width = work.width;
   measurements.plane_height = work.height;
@@ -90,7 +93,9 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
 void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
                           std::span<const RayTiming> timing, std::span<const MemoryCost> memory,
                           int64_t traverse_cycles, bool dram_inside, Measurements& measurements) {
-  add_hit_measurements(work, hits, measurements);
+  FetchCounts fetches;
+  for (const RayTiming& ray : timing) fetches.add(ray.fetches);
+  add_hit_measurements(work, hits, fetches, measurements);
   std::vector<int64_t> latencies;
   latencies.reserve(timing.size());
   int64_t slots = 0;

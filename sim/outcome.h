@@ -11,8 +11,9 @@
 namespace cuesta {
 
 /// Counters over all rays (machine.rays, hits, misses, unfinished_rays, steps), the histogram of steps and the
-/// plane of steps.
-void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, Measurements& measurements);
+/// plane of steps; what the rays fetched (machine.fetches, fetched_texels, texel_bytes).
+void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, const FetchCounts& fetches,
+                          Measurements& measurements);
 
 /// What only time knows: histogram of latencies; planes of issue slots, misses, memory traffic and latency.
 /// `timing` and `memory` in the order of the trace; `traverse_cycles`: over all pipelines; `dram_inside`: the bus

@@ -33,6 +33,7 @@ class TraversalSource final : public StepSource {
         return;
       }
     }
+    if (work_.schedule.fetch == FetchRule::kQuad) return produce_quads(batch);
     for (size_t k = 0; k < batch.spans.size(); ++k) {
       const uint64_t first = batch.lines.size();
       batch.hits[k] =
@@ -40,6 +41,29 @@ class TraversalSource final : public StepSource {
             const int x = static_cast<int>(i), y = static_cast<int>(j);
             batch.lines.push_back(static_cast<uint32_t>(layout_.offset(level, x, y) >> line_shift_));
             return static_cast<int64_t>(work_.pyramid->at(level, x, y));
+          });
+      batch.spans[k] = {first, batch.lines.size() - first};
+    }
+  }
+
+  void produce_quads(Batch& batch) {
+    const Pyramid& pyramid = *work_.pyramid;
+    batch.fetches.resize(batch.spans.size());
+    for (size_t k = 0; k < batch.spans.size(); ++k) {
+      const uint64_t first = batch.lines.size();
+      KeptQuad kept;
+      FetchCounts& counts = batch.fetches[k];
+      batch.hits[k] =
+          traverse_ray(walk_, work_.rays[order_[batch.first_ray + k]], [&](int level, int64_t i, int64_t j) {
+            const int x = static_cast<int>(i), y = static_cast<int>(j);
+            if (kept.fetches(level, i, j)) {
+              const Quad quad = Quad::of(pyramid, level, x, y);
+              append_lines(layout_, line_shift_, quad, batch.lines);
+              counts.add({1, int64_t{quad.width} * quad.height});
+            } else {
+              batch.lines.push_back(kKeptStep);
+            }
+            return static_cast<int64_t>(pyramid.at(level, x, y));
           });
       batch.spans[k] = {first, batch.lines.size() - first};
     }

@@ -1,19 +1,19 @@
 #include "models/oracle/traversal_check.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "models/common/error.h"
 #include "models/heightmap/pyramid.h"
 #include "models/oracle/schedule_walk.h"
+#include "models/traversal/fetch.h"
 #include "models/traversal/lanes.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {
 namespace {
+
+constexpr size_t kQuadEvery = 7;  // schedules: one in so many is walked again through kept siblings
 
 constexpr std::array<std::string_view, 3> kArithmeticNames = {"fixed", "float", "double"};
 
@@ -38,6 +38,7 @@ bool same_answer(const HitRecord& a, const HitRecord& b) {
 std::vector<Schedule> schedules(const TraversalCheckOptions& options) {
   std::vector<Schedule> list;
   for (const Algorithm& algorithm : algorithms()) list.push_back(algorithm.schedule);
+  for (const Algorithm& part : algorithm_parts()) list.push_back(part.schedule);
   if (options.all_combinations) {
     for (int start = 0; start < 3; ++start) {
       for (const int down : down_values()) {
@@ -51,20 +52,6 @@ std::vector<Schedule> schedules(const TraversalCheckOptions& options) {
   return list;
 }
 
-/// The machine's time as machine units, for judging only.
-long double machine_time(const HitRecord& record, Arithmetic arithmetic, const NumberFormat& format) {
-  const int shift = format.fraction_bits + format.direction_bits - 1 + format.mantissa_bits;
-  switch (arithmetic) {
-    case Arithmetic::kFixed:
-      break;
-    case Arithmetic::kFloat:
-      return std::ldexp(std::bit_cast<float>(static_cast<uint32_t>(record.t)), shift);
-    case Arithmetic::kDouble:
-      return std::ldexp(std::bit_cast<double>(record.t), shift);
-  }
-  return static_cast<long double>(record.t);
-}
-
 /// Every second step at least is a crossing, but for descents, of which each level above the leaves is repaid by
 /// an ascent; crossings are as many as there are planes in 2^w2 tiles.
 int64_t most_steps(const RandomMap& map) {
@@ -72,18 +59,39 @@ int64_t most_steps(const RandomMap& map) {
   return 4 * (planes << map.format.tile_bits) + 4 * map.shape.root_level + 64;
 }
 
+/// Heights through the siblings that a ray keeps: read when they are fetched, and only then.
+class QuadReader {
+ public:
+  int64_t read(const Pyramid& pyramid, int level, int i, int j) {
+    if (kept_.fetches(level, i, j)) {
+      const Quad quad = Quad::of(pyramid, level, i, j);
+      values_.fill(-1);
+      for (int y = 0; y < quad.height; ++y) {
+        for (int x = 0; x < quad.width; ++x) values_[place(x, y)] = pyramid.at(level, quad.i + x, quad.j + y);
+      }
+    }
+    return values_[place(i, j)];
+  }
+
+ private:
+  static size_t place(int i, int j) { return static_cast<size_t>(i & 1) + 2 * static_cast<size_t>(j & 1); }
+  KeptQuad kept_;
+  std::array<int64_t, 4> values_{};
+};
+
 template <class A, class G>
-HitRecord limited_walk(const RandomMap& map, const Schedule& schedule, const Pyramid& bounds,
-                       const Pyramid& leaves, const MachineRay& input) {
-  const Walk<A, G> walk(map.shape, map.format, schedule, bounds.at(bounds.root_level(), 0, 0));
+HitRecord limited_walk(const RandomMap& map, const Schedule& schedule, const Pyramid& pyramid,
+                       const MachineRay& input) {
+  const Walk<A, G> walk(map.shape, map.format, schedule, pyramid.highest());
+  const bool quads = schedule.fetch == FetchRule::kQuad;
+  QuadReader reader;
   RayState<A, G> ray;
   const int64_t limit = most_steps(map);
   Visit state = start(walk, input, ray);
   while (state == Visit::kContinue) {
-    const Pyramid& pyramid = ray.level == schedule.stop_level ? leaves : bounds;
-    state = visit(walk, ray,
-                  pyramid.at(ray.level, static_cast<int>(ray.gx.fetch_index(walk.x, ray.level)),
-                             static_cast<int>(ray.gy.fetch_index(walk.y, ray.level))));
+    const int i = static_cast<int>(ray.gx.fetch_index(walk.x, ray.level));
+    const int j = static_cast<int>(ray.gy.fetch_index(walk.y, ray.level));
+    state = visit(walk, ray, quads ? reader.read(pyramid, ray.level, i, j) : pyramid.at(ray.level, i, j));
     if (ray.steps > limit) {
       HitRecord record;
       record.status = HitStatus::kDidNotFinish;
@@ -98,9 +106,10 @@ HitRecord limited_walk(const RandomMap& map, const Schedule& schedule, const Pyr
 struct TraversalChecker::State {
   RandomMap map;
   TraversalCheckOptions options;
-  Pyramid max_pyramid, leaves;
+  Pyramid pyramid;  ///< stopped at the options' level
   OracleMap oracle;
   std::vector<Schedule> schedules;
+  std::vector<uint16_t> means;   ///< of the oracle
   std::vector<HitRecord> fixed;  ///< by schedule, of the ray at hand
   std::vector<TracedRay> traced_rays;
   std::vector<MachineRay> rays;
@@ -108,7 +117,7 @@ struct TraversalChecker::State {
 
   HitRecord walk(Arithmetic arithmetic, const Schedule& schedule, const MachineRay& ray) const {
     return with_traversal_types(arithmetic, map.shape, [&]<class A, class G>() {
-      return limited_walk<A, G>(map, schedule, max_pyramid, leaves, ray);
+      return limited_walk<A, G>(map, schedule, pyramid, ray);
     });
   }
 
@@ -123,17 +132,25 @@ struct TraversalChecker::State {
   void check_schedules(const TracedRay& traced, const MachineRay& ray, TraversalCheck& counts);
   void check_oracle(const TracedRay& traced, const MachineRay& ray, TraversalCheck& counts) const;
   void check_steps(const TracedRay& traced, const MachineRay& ray, TraversalCheck& counts) const;
-  void judge_all(const TracedRay& traced, const MachineRay& ray, TraversalCheck& counts) const;
 };
 
 TraversalChecker::TraversalChecker(const RandomMap& map, const TraversalCheckOptions& options)
-    : state_(
-          new State{map, options, build_max_pyramid(map.grid), {}, {}, schedules(options), {}, {}, {}, {}}) {
+    : state_(new State{map,
+                       options,
+                       build_stopped_pyramid(build_max_pyramid(map.grid), options.stop_level),
+                       {},
+                       schedules(options),
+                       {},
+                       {},
+                       {},
+                       {},
+                       {}}) {
   State& s = *state_;
-  s.leaves = options.stop_level > 0 ? build_mean_pyramid(map.grid) : s.max_pyramid;
   const int level = options.stop_level;
-  s.oracle =
-      oracle_map(s.leaves.level(level), s.leaves.width(level), s.leaves.height(level), level, map.shape);
+  const Pyramid means = build_mean_pyramid(map.grid);  // the pyramid's own at this level, made otherwise
+  s.means.assign(means.level(level),
+                 means.level(level) + static_cast<ptrdiff_t>(means.width(level)) * means.height(level));
+  s.oracle = oracle_map(s.means.data(), means.width(level), means.height(level), level, map.shape);
   s.oracle.highest = oracle_map(map.grid, map.shape).highest;
 }
 
@@ -147,6 +164,19 @@ void TraversalChecker::State::check_schedules(const TracedRay& traced, const Mac
       const HitRecord found = walk(static_cast<Arithmetic>(a), schedules[s], ray);
       if (a == 0) fixed[s] = found;
       if (found.status == HitStatus::kDidNotFinish) ++counts.endless;
+      if ((static_cast<size_t>(counts.rays) + s) % kQuadEvery == 0) {
+        Schedule with_quads = schedules[s];
+        with_quads.fetch = FetchRule::kQuad;
+        const HitRecord again = walk(static_cast<Arithmetic>(a), with_quads, ray);
+        ++counts.quad_comparisons;
+        if (!(again == found)) {
+          ++counts.quad_errors;
+          fail(counts, traced, ray,
+               std::string(kArithmeticNames[a]) + ", " + describe(schedules[s]) +
+                   ": other steps or hits through kept siblings",
+               found, again);
+        }
+      }
       if (s == 0) {
         plain = found;
         if (found.status != HitStatus::kDidNotFinish) continue;
@@ -203,27 +233,6 @@ void TraversalChecker::State::check_steps(const TracedRay& traced, const Machine
   }
 }
 
-void TraversalChecker::State::judge_all(const TracedRay& traced, const MachineRay& ray,
-                                        TraversalCheck& counts) const {
-  const auto exact = exact_ray(ray, map.shape, map.format, OracleInput::kMachineInput);
-  const auto truth = oracle_leaf_walk(exact, oracle);
-  for (size_t a = 0; a < 3; ++a) {
-    const auto arithmetic = static_cast<Arithmetic>(a);
-    const HitRecord found = a == 0 ? fixed[0] : walk(arithmetic, schedules[0], ray);
-    const JudgedAnswer answer{found.status == HitStatus::kHit, found.i, found.j,
-                              machine_time(found, arithmetic, map.format)};
-    const Verdict verdict = judge(exact, oracle, truth, answer);
-    counts.verdicts[a].add(verdict);
-    if (verdict == Verdict::kExact && truth.hit && truth.face != found.face) ++counts.other_face[a];
-    if (verdict == Verdict::kExact || verdict == Verdict::kTie || !counts.first_other[a].empty()) continue;
-    counts.first_other[a] =
-        std::string(name_of(verdict)) + "\n  " + describe(map) + "\n  " + describe(traced) +
-        "\n  machine ray: " + describe(ray) + "\n  exact: " +
-        (truth.hit ? "hit (" + std::to_string(truth.i) + ", " + std::to_string(truth.j) + ")" : "miss") +
-        "\n  found: " + describe(found);
-  }
-}
-
 void TraversalChecker::check(const TracedRay& traced, TraversalCheck& counts) {
   State& s = *state_;
   const MachineRay ray = quantise(traced, s.map.shape, s.map.format);
@@ -232,25 +241,26 @@ void TraversalChecker::check(const TracedRay& traced, TraversalCheck& counts) {
   s.check_oracle(traced, ray, counts);
   const bool steps = s.options.step_check_every > 0;
   if (steps && counts.rays % s.options.step_check_every == 0) s.check_steps(traced, ray, counts);
-  if (s.options.verdicts) s.judge_all(traced, ray, counts);
   s.traced_rays.push_back(traced);
   s.rays.push_back(ray);
   s.records.resize(s.schedules.size());
   for (size_t k = 0; k < s.schedules.size(); ++k) s.records[k].push_back(s.fixed[k]);
   ++counts.rays;
+  const auto mode = static_cast<size_t>(s.map.shape.address_mode);
+  ++counts.rays_by_mode[mode];
+  if (s.options.stop_level > 0) ++counts.stopped_by_mode[mode];
   if (s.fixed[0].status == HitStatus::kHit) ++counts.hits;
 }
 
 void TraversalChecker::check_lanes(TraversalCheck& counts) const {
   const State& s = *state_;
-  if (!s.map.shape.is_square_power_of_two() || s.options.stop_level > 0 || s.rays.empty()) return;
+  if (!s.map.shape.is_square_power_of_two() || s.rays.empty()) return;
   std::vector<HitRecord> found(s.rays.size());
   for (size_t k = 0; k < s.schedules.size(); ++k) {
-    const Pyramid& pyramid = s.max_pyramid;
     const Walk<FixedArithmetic, PlainAxis> walk(s.map.shape, s.map.format, s.schedules[k],
-                                                pyramid.at(pyramid.root_level(), 0, 0));
-    if (!lanes_can(walk)) return;
-    traverse_lanes(walk, pyramid, s.rays, {}, found, nullptr);
+                                                s.pyramid.highest());
+    if (!lanes_can(walk)) continue;
+    traverse_lanes(walk, s.pyramid, s.rays, {}, found, nullptr);
     for (size_t r = 0; r < found.size(); ++r) {
       ++counts.lane_comparisons;
       if (found[r] == s.records[k][r]) continue;
@@ -276,10 +286,11 @@ void TraversalCheck::add(const TraversalCheck& other) {
   step_errors += other.step_errors;
   lane_comparisons += other.lane_comparisons;
   lane_errors += other.lane_errors;
-  for (size_t a = 0; a < 3; ++a) {
-    for (size_t v = 0; v < kVerdicts; ++v) verdicts[a].of[v] += other.verdicts[a].of[v];
-    other_face[a] += other.other_face[a];
-    if (first_other[a].empty()) first_other[a] = other.first_other[a];
+  quad_comparisons += other.quad_comparisons;
+  quad_errors += other.quad_errors;
+  for (size_t mode = 0; mode < rays_by_mode.size(); ++mode) {
+    rays_by_mode[mode] += other.rays_by_mode[mode];
+    stopped_by_mode[mode] += other.stopped_by_mode[mode];
   }
   if (first_failure.empty()) first_failure = other.first_failure;
 }
@@ -291,10 +302,7 @@ TraversalCheck check_random_traversals(uint64_t seed, int64_t rays, int max_side
   while (counts.rays < rays) {
     const RandomMap map = random_map(random.next(), max_side);
     TraversalCheckOptions here = options;
-    if (random.chance(0.15)) here.stop_level = static_cast<int>(random.between(0, map.shape.root_level));
-    // Verdicts speak of the machine's precision, not of reciprocals of 2 bits.
-    here.verdicts = options.verdicts && here.stop_level == 0 && map.format.direction_bits == 32 &&
-                    map.format.fraction_bits == 8 && map.format.mantissa_bits == map.grid.bits + 4;
+    if (random.chance(0.25)) here.stop_level = static_cast<int>(random.between(0, map.shape.root_level));
     TraversalChecker checker(map, here);
     ++counts.maps;
     for (int r = 0; r < rays_per_map && counts.rays < rays; ++r) {

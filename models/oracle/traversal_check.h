@@ -5,7 +5,6 @@
 #include <string>
 
 #include "models/oracle/random_cases.h"
-#include "models/oracle/verdict.h"
 
 namespace cuesta {
 
@@ -22,24 +21,25 @@ struct TraversalCheck {
   int64_t oracle_errors = 0;
   int64_t step_comparisons = 0;  ///< fixed-point steps of a schedule against the same schedule walked exactly
   int64_t step_errors = 0;
+  int64_t quad_comparisons = 0;  ///< heights read through the kept 2 x 2 siblings: hit and steps must stay
+  int64_t quad_errors = 0;
   int64_t lane_comparisons = 0;  ///< many rays at a time against one at a time: whole records
   int64_t lane_errors = 0;
-  std::array<VerdictCounts, 3> verdicts;     ///< by Arithmetic, of the ray at the machine's input
-  std::array<int64_t, 3> other_face{};       ///< right cell, another face
-  std::array<std::string, 3> first_other{};  ///< first verdict that is neither exact nor a tie, decoded
+  std::array<int64_t, 4> rays_by_mode{};     ///< of the rays, by AddressMode
+  std::array<int64_t, 4> stopped_by_mode{};  ///< of those, over the means of a level above the texels
   std::string first_failure;                 ///< decoded: map, ray, both answers
 
   bool passed() const {
-    return mismatches == 0 && endless == 0 && oracle_errors == 0 && step_errors == 0 && lane_errors == 0;
+    return mismatches == 0 && endless == 0 && oracle_errors == 0 && step_errors == 0 && lane_errors == 0 &&
+           quad_errors == 0;
   }
   void add(const TraversalCheck& other);
 };
 
 struct TraversalCheckOptions {
   bool all_combinations = true;  ///< 3 starts x 4 downs x 8 ups besides the named algorithms
-  bool verdicts = true;
-  int step_check_every = 8;  ///< rays; 0: never
-  int stop_level = 0;        ///< > 0: leaves are the mean pyramid's texels
+  int step_check_every = 8;      ///< rays; 0: never
+  int stop_level = 0;            ///< > 0: leaves are the mean pyramid's texels
 };
 
 /// Holds `ray` on `map` under every schedule and arithmetic against the leaf walk, and fixed point against both

@@ -4,11 +4,13 @@
 #include <deque>
 #include <vector>
 
+#include "models/traversal/fetch.h"
 #include "models/traversal/hit.h"
 
 namespace cuesta {
 
-/// The steps of one ray: the line of memory that each of its node visits reads, in order. Empty: dead at set-up.
+/// The steps of one ray: the lines of memory that its node visits read, in order, marked as fetch.h says: one a step
+/// with FetchRule::kTexel. Empty: dead at set-up.
 struct RaySteps {
   const uint32_t* next;
   const uint32_t* end;
@@ -47,6 +49,12 @@ class StepSource {
     const Batch& batch = batch_of(ray);
     return batch.hits[ray - batch.first_ray];
   }
+  /// What the ray reads over all its steps.
+  FetchCounts fetches(uint32_t ray) {
+    const Batch& batch = batch_of(ray);
+    const uint32_t steps = batch.hits[ray - batch.first_ray].steps;
+    return batch.fetches.empty() ? FetchCounts{steps, steps} : batch.fetches[ray - batch.first_ray];
+  }
   void done(uint32_t ray) {
     --batch_of(ray).unfinished;
     while (!batches_.empty() && batches_.front().unfinished == 0) batches_.pop_front();
@@ -56,9 +64,10 @@ class StepSource {
   struct Batch {
     uint32_t first_ray = 0;
     uint32_t unfinished = 0;
-    std::vector<uint32_t> lines;  ///< of all its rays, one after the other
-    std::vector<LineSpan> spans;  ///< per ray, in `lines`
-    std::vector<HitRecord> hits;  ///< per ray
+    std::vector<uint32_t> lines;       ///< of all its rays, one after the other
+    std::vector<LineSpan> spans;       ///< per ray, in `lines`
+    std::vector<HitRecord> hits;       ///< per ray
+    std::vector<FetchCounts> fetches;  ///< per ray; empty: each step fetches one texel
   };
 
   /// Fills lines, spans and hits of the rays first_ray .. first_ray + spans.size() - 1.

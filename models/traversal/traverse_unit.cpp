@@ -14,7 +14,7 @@ void TraverseUnit::advance(Cycle limit) {
     if (slot >= 0) {
       Context& ray = contexts_[static_cast<size_t>(slot)];
       if (ray.steps.next != ray.steps.end) {
-        const HeightL1::Answer answer = l1_.lookup(*ray.steps.next, slot, ray.ray, cycle_);
+        const HeightL1::Answer answer = access(ray, slot);
         if (answer == HeightL1::Answer::kHit) {
           step(ray);
         } else {
@@ -38,7 +38,7 @@ void TraverseUnit::advance(Cycle limit) {
 /// Issues a ray into the empty slot at select.
 void TraverseUnit::issue(int context) {
   Context& ray = contexts_[static_cast<size_t>(context)];
-  const HeightL1::Answer answer = l1_.lookup(*ray.steps.next, context, ray.ray, cycle_);
+  const HeightL1::Answer answer = access(ray, context);
   if (answer != HeightL1::Answer::kHit) return park(context, answer);
   step(ray);
   slots_[static_cast<size_t>(slot_)] = context;
@@ -58,8 +58,19 @@ void TraverseUnit::park(int context, HeightL1::Answer answer) {
   ray.misses += answer == HeightL1::Answer::kAllocated;
 }
 
+/// What the ray asked for in this slot is there.
 void TraverseUnit::step(Context& ray) {
+  const uint32_t line = *ray.steps.next;
   ++ray.steps.next;
+  if (line >= kKeptStep) [[unlikely]] {
+    if (line != kKeptStep) {
+      ++counts_.part_slots;
+      ++ray.other_slots;
+      watchdog_.last_progress = cycle_;
+      return;
+    }
+    ++counts_.kept_steps;
+  }
   ++counts_.steps;
   watchdog_.last_progress = cycle_;
 }
@@ -83,9 +94,9 @@ bool TraverseUnit::retire(int context, Cycle limit) {
   Context& ray = contexts_[static_cast<size_t>(context)];
   hit_queue_.push(ray.ray, cycle_);
   hits_[ray.trace] = source_.hit(ray.ray);
-  source_.done(ray.ray);
   timing_[ray.trace] = {cycle_, static_cast<uint32_t>(cycle_ - ray.sent),
-                        hits_[ray.trace].steps + ray.other_slots, ray.misses};
+                        hits_[ray.trace].steps + ray.other_slots, ray.misses, source_.fetches(ray.ray)};
+  source_.done(ray.ray);
   ++counts_.rays;
   counts_.hits += hits_[ray.trace].status == HitStatus::kHit;
   counts_.resident_cycles += cycle_ - ray.entered;

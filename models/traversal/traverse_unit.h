@@ -20,6 +20,7 @@ struct RayTiming {
   uint32_t latency = 0;      ///< dispatch to completion, cycles
   uint32_t issue_slots = 0;  ///< slots of the traverse pipe that the ray used
   uint32_t misses = 0;       ///< lines fetched for it: misses that it allocated
+  FetchCounts fetches;       ///< what its steps read
 };
 
 /// When something last moved, for the whole machine.
@@ -42,12 +43,18 @@ struct Watchdog {
 /// empty. A ray dead at set-up takes a slot for one round, without a lookup.
 /// Pipe time and real time are kept apart: only real time passes while the pipe stands still.
 ///
+/// With FetchRule::kQuad a step reads the lines of 2 x 2 siblings, one after the other: each line access takes one slot
+/// with one lookup, the next when the slot is at select again, and the step is done with the last of them; a miss
+/// parks and replays the ray for that line alone. A step whose siblings the ray has kept takes one slot without a
+/// lookup. (Our rule: one cache port and one step's worth of wires per slot.)
+///
 /// The value, which lines a ray reads and where it ends, comes from a StepSource.
 class TraverseUnit {
  public:
   /// Cycles by what the pipe did; they add up to all cycles.
   struct Counts {
-    int64_t steps = 0;          ///< slots: a node visit
+    int64_t steps = 0;          ///< slots: a node visit is done
+    int64_t part_slots = 0;     ///< slots: a line of a quad was read, others of its step are still to come
     int64_t miss_slots = 0;     ///< slots: a lookup that missed and parked the ray on an MSHR
     int64_t refused_slots = 0;  ///< slots: a lookup that missed and found no free MSHR
     int64_t dead_slots = 0;     ///< slots: a ray dead at set-up
@@ -55,12 +62,14 @@ class TraverseUnit {
     int64_t no_ray = 0;         ///< bubbles: no ray to take, some still to come
     int64_t drain = 0;          ///< bubbles: no ray left for this pipeline
     int64_t stalls = 0;         ///< pipe stands still: hit_queue is full
-    int64_t replays = 0;        ///< of the steps: replayed after a miss
+    int64_t replays = 0;        ///< of the line accesses: replayed after a miss
+    int64_t kept_steps = 0;     ///< of the steps: read nothing, the ray had kept the siblings
     int64_t rays = 0;           ///< completed
     int64_t hits = 0;
     int64_t resident_cycles = 0;  ///< sum over rays of cycles in a context
     int64_t total() const {
-      return steps + miss_slots + refused_slots + dead_slots + contexts_full + no_ray + drain + stalls;
+      return steps + part_slots + miss_slots + refused_slots + dead_slots + contexts_full + no_ray + drain +
+             stalls;
     }
   };
 
@@ -114,12 +123,19 @@ class TraverseUnit {
     RaySteps steps;        ///< still to do
     uint32_t ray;          ///< position in the machine's order
     uint32_t trace;        ///< position in the trace
-    uint32_t other_slots;  ///< issue slots without a step
+    uint32_t other_slots;  ///< issue slots that did not end a step
     uint32_t misses;
     Cycle sent;
     Cycle entered;
   };
 
+  /// The step's next line access; kHit where the ray has kept what it needs.
+  HeightL1::Answer access(const Context& ray, int context) {
+    const uint32_t line = *ray.steps.next;
+    if (line == kKeptStep) [[unlikely]]
+      return HeightL1::Answer::kHit;
+    return l1_.lookup(line & kLineMask, context, ray.ray, cycle_);
+  }
   void issue(int context);
   void park(int context, HeightL1::Answer answer);
   void step(Context& ray);

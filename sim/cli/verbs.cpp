@@ -23,8 +23,8 @@ constexpr Verb kVerbs[] = {
      "cuesta rays check default.rays", make_rays_check_command},
     {"list", "What there is: algorithms, scenes, architectures, effects, parameters or statistics.",
      "cuesta list parameters", make_list_command},
-    {"verify oracle", "Holds traversal against exact arithmetic, ray by ray.", "cuesta verify oracle",
-     make_verify_oracle_command},
+    {"verify oracle", "Holds traversal against exact arithmetic, ray by ray.",
+     "cuesta verify oracle --threads 2", make_verify_oracle_command},
     {"verify laws", "Holds every algorithm on every machine against the conservation laws of the accounting.",
      "cuesta verify laws --size 64", make_verify_laws_command},
 };

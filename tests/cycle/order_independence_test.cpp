@@ -56,10 +56,11 @@ TEST(RandomMachines, ReachEveryStateOfTheMachine) {
     }
     for (const auto& [path, sum] : sums) machines_with[path] += sum > 0;
   }
-  for (const char* path : {"height_l1.merges", "height_l1.refused", "height_l1.evictions", "traverse.replays",
-                           "traverse.slots_dead", "traverse.bubble_contexts_full", "traverse.bubble_no_ray",
-                           "traverse.bubble_drain", "traverse.stall_hit_queue", "dram.row_hits",
-                           "dram.row_misses", "dram.row_conflicts", "machine.hits", "machine.misses"}) {
+  for (const char* path :
+       {"height_l1.merges", "height_l1.refused", "height_l1.evictions", "traverse.replays",
+        "traverse.slots_dead", "traverse.slots_part", "traverse.kept_steps", "traverse.bubble_contexts_full",
+        "traverse.bubble_no_ray", "traverse.bubble_drain", "traverse.stall_hit_queue", "dram.row_hits",
+        "dram.row_misses", "dram.row_conflicts", "machine.hits", "machine.misses"}) {
     EXPECT_GE(machines_with[path], kMachines / 5) << path;
   }
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -9,30 +10,49 @@
 namespace cuesta::twins {
 namespace {
 
-/// Rays whose steps are told: the line that each looks up. An empty list: dead at set-up.
+/// Per ray and step, the lines that the step reads. A ray without steps is dead at set-up.
+using Steps = std::vector<std::vector<std::vector<uint64_t>>>;
+
+/// Rays whose steps are told.
 class ToldRays final : public RayValues {
  public:
-  explicit ToldRays(std::vector<std::vector<uint64_t>> lines)
-      : lines_(std::move(lines)), done_(lines_.size()) {}
+  explicit ToldRays(Steps lines) : lines_(std::move(lines)), done_(lines_.size()) {}
   Visit start(int ray) override { return lines_[ray].empty() ? Visit::kMiss : Visit::kContinue; }
-  uint64_t address(int ray) const override { return lines_[ray][done_[ray]] * kLineBytes; }
+  std::vector<uint64_t> addresses(int ray) const override {
+    std::vector<uint64_t> all;
+    for (const uint64_t line : lines_[ray][done_[ray]]) all.push_back(line * kLineBytes);
+    return all;
+  }
   Visit step(int ray) override { return ++done_[ray] == lines_[ray].size() ? Visit::kHit : Visit::kContinue; }
   HitRecord record(int) const override { return {}; }
 
   static constexpr int kLineBytes = 16;
 
  private:
-  std::vector<std::vector<uint64_t>> lines_;
+  Steps lines_;
   std::vector<size_t> done_;
 };
+
+/// Each step reads one line.
+Steps one_line_each(const std::vector<std::vector<uint64_t>>& rays) {
+  Steps steps;
+  for (const auto& ray : rays) {
+    steps.emplace_back();
+    for (const uint64_t line : ray) steps.back().push_back({line});
+  }
+  return steps;
+}
 
 /// A traverse between a ray_setup that offers one ray a cycle from cycle 2 on, an L1 that holds the lines below
 /// `warm` (fills by hand), and a hit_queue (pops by hand).
 struct Bench {
-  Bench(int stages, int contexts, std::vector<std::vector<uint64_t>> lines, uint64_t warm, int mshrs = 4,
+  Bench(int stages, int contexts, const std::vector<std::vector<uint64_t>>& lines, uint64_t warm,
+        int mshrs = 4, int hit_depth = 8)
+      : Bench(stages, contexts, std::make_unique<Steps>(one_line_each(lines)), warm, mshrs, hit_depth) {}
+  Bench(int stages, int contexts, std::unique_ptr<Steps> lines, uint64_t warm, int mshrs = 4,
         int hit_depth = 8)
-      : count(static_cast<int>(lines.size())),
-        rays(std::move(lines)),
+      : count(static_cast<int>(lines->size())),
+        rays(std::move(*lines)),
         ray_setup({1, 1, 64}, 1, 0, stalls),
         l1({32 * ToldRays::kLineBytes, ToldRays::kLineBytes, 1, mshrs}, 0, stalls),
         hit_queue({hit_depth}),
@@ -102,7 +122,7 @@ TEST(Traverse, StepsOfARayAreStagesCyclesApartAndItsEndToo) {
 }
 
 TEST(Traverse, ADeadRayTakesOneSlotAndNoLookup) {
-  Bench b(4, 8, {{}}, 0);
+  Bench b(4, 8, std::vector<std::vector<uint64_t>>{{}}, 0);
   b.run(7);
   EXPECT_EQ(b.kinds[2], TraverseCycle::kDead);
   EXPECT_EQ(b.completed, (Done{{0, 6}}));
@@ -132,6 +152,28 @@ TEST(Traverse, HoldsItsHitWhileTheQueueIsFullAndEverythingElseStandsStill) {
   EXPECT_EQ(b.completed, (Done{{0, 6}, {1, 21}, {2, 26}}));
   for (Cycle c = 7; c <= 20; ++c) EXPECT_EQ(b.kinds[c], TraverseCycle::kStalled) << c;
   EXPECT_EQ(b.kinds[22], TraverseCycle::kStep);
+}
+
+TEST(Traverse, AStepOfTwoLinesTakesTwoSlotsAndAKeptOneASlotWithoutALookup) {
+  // Enters in 2: line 0 in 2, line 1 in 6 ends the step; kept in 10; line 2 in 14; the end in 18.
+  Bench b(4, 8, std::make_unique<Steps>(Steps{{{0, 1}, {}, {2}}}), 3);
+  b.run(20);
+  EXPECT_EQ(b.completed, (Done{{0, 18}}));
+  EXPECT_EQ(b.kinds[2], TraverseCycle::kPart);
+  EXPECT_EQ(b.kinds[6], TraverseCycle::kStep);
+  EXPECT_EQ(b.kinds[10], TraverseCycle::kStep);
+  EXPECT_EQ(b.kinds[14], TraverseCycle::kStep);
+}
+
+TEST(Traverse, AMissOfAQuadsSecondLineIsReplayedForThatLineAlone) {
+  // Line 0 is there: 2. Line 9 misses in 6, lands in 13, is replayed in 14 and ends the step; the end in 18.
+  Bench b(4, 8, std::make_unique<Steps>(Steps{{{0, 9}}}), 1);
+  b.fills[13] = 0;
+  b.run(20);
+  EXPECT_EQ(b.kinds[2], TraverseCycle::kPart);
+  EXPECT_EQ(b.kinds[6], TraverseCycle::kMiss);
+  EXPECT_EQ(b.kinds[14], TraverseCycle::kStep);
+  EXPECT_EQ(b.completed, (Done{{0, 18}}));
 }
 
 TEST(Traverse, AMissParksItsRayAndLeavesTheSlotEmpty) {

@@ -21,6 +21,7 @@ void count_pipeline(const PipelineCounts& c, size_t p, const Architecture& archi
   set("traverse", "rays", c.rays_completed);
   set("traverse", "hits", c.rays_hit);
   set("traverse", "slots_step", cycles(TraverseCycle::kStep));
+  set("traverse", "slots_part", cycles(TraverseCycle::kPart));
   set("traverse", "slots_miss", cycles(TraverseCycle::kMiss));
   set("traverse", "slots_refused", cycles(TraverseCycle::kRefused));
   set("traverse", "slots_dead", cycles(TraverseCycle::kDead));
@@ -29,6 +30,8 @@ void count_pipeline(const PipelineCounts& c, size_t p, const Architecture& archi
   set("traverse", "bubble_drain", cycles(TraverseCycle::kDrain));
   set("traverse", "stall_hit_queue", cycles(TraverseCycle::kStalled));
   set("traverse", "replays", c.replays);
+  set("traverse", "kept_steps", c.kept_steps);
+  set("traverse", "line_accesses", c.hits + c.replays);
   set("traverse", "resident_cycles", c.resident_cycles);
   set("height_l1", "accesses", c.lookups);
   set("height_l1", "hits", c.hits);
@@ -63,13 +66,17 @@ Counters all_counters(const RandomMachine& machine, const TickingResult& result)
     counters.add("machine.dead_rays", hit.status == HitStatus::kMiss && hit.steps == 0);
     counters.add("machine.steps", hit.steps);
   }
-  counters.set("machine.texel_bytes", counters.get("machine.steps") * machine.pyramid.texel_bytes());
-  int64_t sent = 0;
+  int64_t sent = 0, kept = 0, texels = 0;
   for (size_t p = 0; p < result.pipelines.size(); ++p) {
     sent += result.pipelines[p].rays;
+    kept += result.pipelines[p].kept_steps;
+    texels += result.pipelines[p].fetched_texels;
     count_pipeline(result.pipelines[p], p, machine.architecture, counters);
   }
   counters.set("ray_dispatch.rays", sent);
+  counters.set("machine.fetches", counters.get("machine.steps") - kept);
+  counters.set("machine.fetched_texels", texels);
+  counters.set("machine.texel_bytes", texels * machine.pyramid.texel_bytes());
   const DramTwin::Counts& dram = result.dram;
   counters.set("dram.reads", dram.reads);
   counters.set("dram.writes", dram.writes);

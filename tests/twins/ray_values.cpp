@@ -15,15 +15,26 @@ class TypedRayValues final : public RayValues {
         pyramid_(pyramid),
         rays_(rays),
         states_(rays.size()),
-        ends_(rays.size(), Visit::kContinue) {}
+        ends_(rays.size(), Visit::kContinue),
+        kept_(rays.size()) {}
 
   Visit start(int ray) override { return ends_[ray] = cuesta::start(walk_, rays_[ray], states_[ray]); }
-  uint64_t address(int ray) const override {
+  std::vector<uint64_t> addresses(int ray) const override {
     const auto [level, i, j] = node(ray);
-    return layout_.offset(level, i, j);
+    if (walk_.schedule.fetch == FetchRule::kTexel) return {layout_.offset(level, i, j)};
+    if (kept_[ray] == Node{level, i / 2, j / 2}) return {};
+    std::vector<uint64_t> all;
+    for (int y = j / 2 * 2; y < j / 2 * 2 + 2; ++y) {
+      for (int x = i / 2 * 2; x < i / 2 * 2 + 2; ++x) {
+        if (x < pyramid_.width(level) && y < pyramid_.height(level))
+          all.push_back(layout_.offset(level, x, y));
+      }
+    }
+    return all;
   }
   Visit step(int ray) override {
     const auto [level, i, j] = node(ray);
+    kept_[ray] = {level, i / 2, j / 2};
     return ends_[ray] = visit(walk_, states_[ray], pyramid_.at(level, i, j));
   }
   HitRecord record(int ray) const override {
@@ -32,7 +43,8 @@ class TypedRayValues final : public RayValues {
 
  private:
   struct Node {
-    int level, i, j;
+    int level = -1, i = 0, j = 0;
+    bool operator==(const Node&) const = default;
   };
   Node node(int ray) const {
     const RayState<A, G>& state = states_[ray];
@@ -46,6 +58,7 @@ class TypedRayValues final : public RayValues {
   std::span<const MachineRay> rays_;
   std::vector<RayState<A, G>> states_;
   std::vector<Visit> ends_;
+  std::vector<Node> kept_;  ///< level and half the indices of the siblings fetched last
 };
 
 }  // namespace

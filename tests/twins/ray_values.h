@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "models/architecture.h"
 #include "models/heightmap/pyramid.h"
@@ -17,9 +18,9 @@ class RayValues {
   virtual ~RayValues() = default;
   /// ray_setup's answer: kMiss = dead at set-up.
   virtual Visit start(int ray) = 0;
-  /// Where the texel of the ray's next step lies in the pyramid image, bytes.
-  virtual uint64_t address(int ray) const = 0;
-  /// One step, with the texel at `address`.
+  /// Where the texels that the ray's next step fetches lie in the pyramid image, bytes; none: the ray has kept them.
+  virtual std::vector<uint64_t> addresses(int ray) const = 0;
+  /// One step, with what `addresses` named.
   virtual Visit step(int ray) = 0;
   /// Of a ray that has ended.
   virtual HitRecord record(int ray) const = 0;

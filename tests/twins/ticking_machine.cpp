@@ -164,6 +164,8 @@ void TickingMachine::account(int p, const TraverseTwin::Event& event, Cycle cycl
   }
   counts.replays += event.replayed;
   counts.retries += event.retried;
+  counts.kept_steps += event.kept;
+  counts.fetched_texels += event.texels;
 }
 
 bool TickingMachine::finished() const {

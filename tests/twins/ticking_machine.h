@@ -38,6 +38,7 @@ struct PipelineCounts {
   std::array<int64_t, kTraverseCycleKinds> cycles{};  ///< by TraverseCycle
   int64_t lookups = 0, hits = 0, merged = 0, allocated = 0, refused = 0;
   int64_t replays = 0, retries = 0, fills = 0;
+  int64_t kept_steps = 0, fetched_texels = 0;
   int64_t records = 0, bursts = 0;
   int64_t resident_cycles = 0, mshr_cycles = 0, evictions = 0, unique_lines = 0;
   int64_t pushes = 0, pops = 0, record_cycles = 0, most_records = 0;

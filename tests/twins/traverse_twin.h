@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -13,9 +16,12 @@
 
 namespace cuesta::twins {
 
-/// traverse: a rigid pipe of `stages` slots that go round; every cycle ends as exactly one TraverseCycle.
+/// traverse: a rigid pipe of `stages` slots that go round; every cycle ends as exactly one TraverseCycle. A step reads
+/// the different lines of its texels one after the other, one a slot, and is done with the last; a step whose texels
+/// the ray has kept is done in one slot without a lookup.
 enum class TraverseCycle : uint8_t {
   kStep,
+  kPart,  ///< a line of a quad, others of the step are to come
   kMiss,
   kRefused,
   kDead,
@@ -24,7 +30,7 @@ enum class TraverseCycle : uint8_t {
   kDrain,
   kStalled,
 };
-inline constexpr int kTraverseCycleKinds = 8;
+inline constexpr int kTraverseCycleKinds = 9;
 
 class TraverseTwin {
  public:
@@ -36,6 +42,8 @@ class TraverseTwin {
     std::optional<HeightL1Twin::Answer> lookup;
     bool replayed = false;
     bool retried = false;
+    bool kept = false;  ///< a step without a lookup
+    int texels = 0;     ///< that a fetch begun in this cycle brings
   };
 
   TraverseTwin(const TraverseParameters& parameters, int line_bytes, int pipeline, const PortStalls& stalls,
@@ -69,7 +77,7 @@ class TraverseTwin {
     }
     if (l1.replay_ready()) {
       event.replayed = true;
-      step(l1.take_replay(), event);
+      read(l1.take_replay(), event);
     } else if (l1.retry_ready()) {
       event.retried = true;
       look_up(l1.take_retry(), l1, event);
@@ -118,16 +126,46 @@ class TraverseTwin {
     return ray_setup.offered(cycle);
   }
 
+  /// The lines of the ray's step that it has still to read; those of a new step are asked for.
+  std::deque<uint64_t>& lines_of(int ray, Event& event) {
+    const auto [at, begins] = steps_.try_emplace(ray);
+    if (!begins) return at->second;
+    const std::vector<uint64_t> addresses = values_.addresses(ray);
+    event.texels = static_cast<int>(addresses.size());
+    for (const uint64_t address : addresses) {
+      const uint64_t line = address / line_bytes_;
+      if (std::find(at->second.begin(), at->second.end(), line) == at->second.end())
+        at->second.push_back(line);
+    }
+    return at->second;
+  }
+
+  /// The first of the step's lines is there.
+  void read(int ray, Event& event) {
+    std::deque<uint64_t>& lines = steps_.at(ray);
+    lines.pop_front();
+    if (lines.empty()) return step(ray, event);
+    next_.slot = {ray, false};
+    event.kind = TraverseCycle::kPart;
+    event.issued = ray;
+  }
+
   void step(int ray, Event& event) {
+    steps_.erase(ray);
     next_.slot = {ray, values_.step(ray) != Visit::kContinue};
     event.kind = TraverseCycle::kStep;
     event.issued = ray;
   }
 
   void look_up(int ray, HeightL1Twin& l1, Event& event) {
-    const HeightL1Twin::Answer answer = l1.lookup(ray, values_.address(ray) / line_bytes_);
+    const std::deque<uint64_t>& lines = lines_of(ray, event);
+    if (lines.empty()) {
+      event.kept = true;
+      return step(ray, event);
+    }
+    const HeightL1Twin::Answer answer = l1.lookup(ray, lines.front());
     event.lookup = answer;
-    if (answer == HeightL1Twin::Answer::kHit) return step(ray, event);
+    if (answer == HeightL1Twin::Answer::kHit) return read(ray, event);
     event.kind = answer == HeightL1Twin::Answer::kRefused ? TraverseCycle::kRefused : TraverseCycle::kMiss;
     event.issued = ray;  // parked: the slot comes round empty
   }
@@ -138,6 +176,7 @@ class TraverseTwin {
   const PortStalls& stalls_;
   RayValues& values_;
   std::vector<Slot> slots_;
+  std::map<int, std::deque<uint64_t>> steps_;  ///< per ray: lines that its step has still to read
   size_t at_select_ = 0;
   int resident_ = 0;
   int64_t resident_cycles_ = 0;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "models/common/error.h"
+#include "models/oracle/precision_check.h"
 #include "models/oracle/traversal_check.h"
 
 // Every schedule returns the leaf walk's hit bit for bit, and the leaf walk in fixed point is exact. The suite is
@@ -24,6 +26,7 @@ void expect_passed(const TraversalCheck& c) {
   EXPECT_EQ(c.oracle_errors, 0) << c.first_failure;
   EXPECT_EQ(c.step_errors, 0) << c.first_failure;
   EXPECT_EQ(c.lane_errors, 0) << c.first_failure;
+  EXPECT_EQ(c.quad_errors, 0) << c.first_failure;
   const auto print = [](const char* what, int64_t count) {
     std::printf("%s %lld; ", what, static_cast<long long>(count));
   };
@@ -33,6 +36,7 @@ void expect_passed(const TraversalCheck& c) {
   print("exact walks", c.oracle_walks);
   print("by brute force", c.oracle_brute);
   print("steps", c.step_comparisons);
+  print("through kept siblings", c.quad_comparisons);
   print("many at a time", c.lane_comparisons);
   std::printf("\n");
 }
@@ -114,23 +118,37 @@ TEST(Traversal, StoppedAboveTheTexelsTheMeanPyramidIsTheSurface) {
   expect_passed(all);
 }
 
-TEST(Traversal, PrecisionIsThatOfTheDefaultNumberFormat) {
-  const TraversalCheck c = check_random_traversals(104, rays_per_suite(12000), 64, 40,
-                                                   {.all_combinations = false, .step_check_every = 0});
-  const int64_t judged = c.verdicts[0].total();
-  ASSERT_GT(judged, 3000);
-  constexpr int64_t kLeastExact[3] = {9900, 9990, 9999};  // of 10000: fixed, float, double
-  for (size_t a = 0; a < 3; ++a) {
-    const VerdictCounts& v = c.verdicts[a];
-    std::printf("%s:", a == 0 ? "fixed" : a == 1 ? "float" : "double");
-    for (size_t k = 0; k < kVerdicts; ++k) {
-      std::printf(" %s %lld", std::string(name_of(static_cast<Verdict>(k))).c_str(),
-                  static_cast<long long>(v.of[k]));
+TEST(Traversal, FixedPointIsExactForTheRayAsSetUpAtEveryWidthAndInEveryMode) {
+  for (const PrecisionRays kind : {PrecisionRays::kFree, PrecisionRays::kLattice}) {
+    const PrecisionCheck c = check_precision(105, rays_per_suite(1500), 48, kind);
+    EXPECT_EQ(c.errors(), 0) << c.first_failure;
+    for (size_t k = 0; k < kPrecisionFormats.size(); ++k) {
+      const bool fixed = kPrecisionFormats[k].arithmetic == Arithmetic::kFixed;
+      EXPECT_EQ(c.rows[k].set_up.total(), fixed ? c.rays : 0);
     }
-    std::printf(", other face %lld\n", static_cast<long long>(c.other_face[a]));
-    const int64_t right = v.count(Verdict::kExact) + v.count(Verdict::kTie);
-    EXPECT_GE(right * 10000, judged * kLeastExact[a]) << c.first_other[a];
   }
+}
+
+TEST(Traversal, PrecisionOfEachNumberFormatIsNearTheExactAnswer) {
+  const PrecisionCheck c = check_precision(104, rays_per_suite(4000), 64, PrecisionRays::kFree);
+  const auto right = [&](const VerdictCounts& counts) {
+    return counts.count(Verdict::kExact) + counts.count(Verdict::kTie);
+  };
+  const auto of = [&](std::string_view name) -> const PrecisionRow& {
+    for (size_t k = 0; k < c.rows.size(); ++k) {
+      if (kPrecisionFormats[k].name == name) return c.rows[k];
+    }
+    throw std::runtime_error("no such format");
+  };
+  // Of 10000; the default format's own figures are above 9980.
+  EXPECT_GE(right(of("fixed, M = B + 4 (default)").quantised) * 10000, c.rays * 9900);
+  EXPECT_GE(right(of("fixed, M = B + 4 (default)").traced) * 10000, c.rays * 9900);
+  EXPECT_GE(right(of("float").quantised) * 10000, c.rays * 9990);
+  EXPECT_GE(right(of("double").quantised) * 10000, c.rays * 9999);
+  // More bits, fewer faults, end to end.
+  EXPECT_LT(right(of("fixed, M = B").traced), right(of("fixed, M = B + 2").traced));
+  EXPECT_LT(right(of("fixed, M = B + 2").traced), right(of("fixed, M = B + 4 (default)").traced));
+  EXPECT_LT(right(of("fixed, f = 4").traced), right(of("fixed, M = B + 4 (default)").traced));
 }
 
 }  // namespace
