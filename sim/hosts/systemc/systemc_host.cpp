@@ -1,5 +1,6 @@
 #include "sim/hosts/systemc/systemc_host.h"
 
+#include <fstream>
 #include <systemc>
 
 #include "models/common/error.h"
@@ -33,12 +34,11 @@ SystemCHost::SystemCHost(const std::string& vcd, int pipelines, bool quiet) {
   modules_ = std::make_unique<Modules>();
   if (vcd.empty()) return;
   const std::string stem = vcd.ends_with(".vcd") ? vcd.substr(0, vcd.size() - 4) : vcd;
-  try {
-    modules_->waves = sc_core::sc_create_vcd_trace_file(stem.c_str());
-  } catch (const sc_core::sc_report&) {
+  if (!std::ofstream(stem + ".vcd")) {  // SystemC's own complaint comes too late to be caught
     throw usage_error("The waves cannot be written into " + stem +
-                      ".vcd; accepted is a place that may be written.");
+                      ".vcd; accepted is a file in a folder that may be written.");
   }
+  modules_->waves = sc_core::sc_create_vcd_trace_file(stem.c_str());
   modules_->waves->set_time_unit(1, sc_core::SC_PS);
   modules_->machine.trace(modules_->waves, pipelines);
 }
