@@ -62,6 +62,11 @@ HeightGrid load_grid(Job& job, const SizeCheck& before) {
   } else {
     job.inputs.push_back({"heightmap", scene.image.path, sha256_of_file(scene.image.path)});
     job.heights_statement = scene.image.path + ", channel " + loaded.statement.channel;
+    if (scene.image.invert) job.heights_statement += ", depth turned over";
+    if (loaded.statement.nodata_cells > 0) {
+      job.heights_statement +=
+          ", " + std::to_string(loaded.statement.nodata_cells) + " cells without data at 0";
+    }
   }
   HeightGrid grid = std::move(loaded.grid);
   job.heights_statement += ": " + std::to_string(grid.width) + " x " + std::to_string(grid.height) +

@@ -145,6 +145,12 @@ void check_map_memory(int width, int height) {
 std::string heightmap_make(const HeightmapMakeOptions& options, const Watch& making, const Watch& writing) {
   refuse_existing(options.output, options.force);
   check_height_image_name(options.output);
+  const std::filesystem::path folder = std::filesystem::path(options.output).parent_path();
+  std::error_code ignored;
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
+    throw usage_error("There is no folder " + printable(folder.string(), 200) +
+                      " to write the map into; accepted: a name in a folder that is there.");
+  }
   if (options.bits < 0) {
     throw usage_error("--bits " + std::to_string(options.bits) + " is not accepted; 1 to 16 bits are.");
   }

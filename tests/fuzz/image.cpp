@@ -13,9 +13,9 @@ struct Ending {
 };
 
 constexpr Ending kEndings[] = {
-    {"\x89PNG", "in.png"}, {"II*", "in.tif"},      {"MM", "in.tif"},   {"\x76\x2f\x31\x01", "in.exr"},
-    {"BM", "in.bmp"},      {"\xff\xd8", "in.jpg"}, {"DDS ", "in.dds"}, {"#?RADIANCE", "in.hdr"},
-    {"P", "in.pnm"},       {"raw ", "in.raw"},     {"?", "in.unknown"}};
+    {"\x89PNG", "in.png"}, {"II*", "in.tif"},      {"MM", "in.tif"},    {"\x76\x2f\x31\x01", "in.exr"},
+    {"BM", "in.bmp"},      {"\xff\xd8", "in.jpg"}, {"DDS ", "in.dds"},  {"#?RADIANCE", "in.hdr"},
+    {"P", "in.pnm"},       {"raw ", "in.raw"},     {"ncols", "in.asc"}, {"?", "in.unknown"}};
 
 /// A TGA has no bytes of its own at its head: what is nothing else is one.
 const char* name_for(Bytes bytes) {

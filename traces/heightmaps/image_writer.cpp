@@ -76,6 +76,9 @@ void write_height_image(const std::string& path, const HeightGrid& grid, bool ov
     if (fault) reason = fault.message();
   }
   if (!reason.empty()) {
+    while (reason.size() > 1 && (reason.back() == ' ' || reason.back() == '.' || reason.back() == '\n')) {
+      reason.pop_back();
+    }
     std::filesystem::remove(partial, fault);
     throw Error(ExitCode::kResource, "The image \"" + path + "\" cannot be written: " + reason + ".");
   }

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cctype>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 
 #include "models/common/error.h"
@@ -65,10 +64,10 @@ bool size_in_name(const std::string& name, RawShape& shape) {
 std::string square_hint(uint64_t bytes) {
   for (SampleKind kind : {SampleKind::kUint16, SampleKind::kUint8, SampleKind::kFloat}) {
     const SampleType& type = sample_type(kind);
-    const auto side = static_cast<uint64_t>(
-        std::sqrt(static_cast<double>(bytes / static_cast<uint64_t>(type.bytes))) + 0.5);
-    if (side < 1 || side > static_cast<uint64_t>(ImageFile::kMaxSide)) continue;
-    if (side * side * static_cast<uint64_t>(type.bytes) != bytes) continue;
+    const auto size = static_cast<uint64_t>(type.bytes);
+    uint64_t side = 1;
+    while (side < static_cast<uint64_t>(ImageFile::kMaxSide) && side * side * size < bytes) ++side;
+    if (side * side * size != bytes) continue;
     return " (its " + std::to_string(bytes) + " bytes would be " + std::to_string(side) + " x " +
            std::to_string(side) + " numbers of " + std::string(type.name) + ")";
   }

@@ -69,6 +69,14 @@ TEST_F(HeightmapCommand, AWatchThatSaysStopLeavesNoFile) {
   }
 }
 
+TEST_F(HeightmapCommand, AFolderThatIsNotThereIsRefusedBeforeTheWork) {
+  const Watch never = [](uint64_t, uint64_t) {
+    ADD_FAILURE() << "the map was made";
+    return false;
+  };
+  EXPECT_THROW(heightmap_make({"flat", path("none/f.png"), 2, 2, 8, 1, false}, never, never), Error);
+}
+
 TEST_F(HeightmapCommand, InfoTellsOfCellsWithoutDataAndOddSizes) {
   heightmap_make({"steps", path("s.png"), 20, 5, 8, 1, false});
   HeightSource source;
