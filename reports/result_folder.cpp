@@ -29,7 +29,7 @@ bool is_there(const fs::path& path) {
 /// Whether a result holds a file of that name (relative to its folder).
 bool belongs_to_a_result(const fs::path& relative) {
   static constexpr const char* kFiles[] = {"result.json", "result.csv", "summary.csv", "manifest.json",
-                                           "report.html"};
+                                           "report.html", "data.json",  "data.csv"};
   const std::string name = relative.string();
   for (const char* file : kFiles) {
     if (name == file) return true;
@@ -44,9 +44,11 @@ bool is_result_folder(const fs::path& path) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() != fs::file_type::directory) return false;
   if (fs::is_empty(path, error)) return true;
-  if (!is_there(path / "result.json") || !is_there(path / "manifest.json")) return false;
+  const bool study = is_there(path / "data.json");  // a study's folder holds a note of its own
+  if (!(study || is_there(path / "result.json")) || !is_there(path / "manifest.json")) return false;
   for (const auto& entry : fs::recursive_directory_iterator(path, error)) {
-    if (!belongs_to_a_result(entry.path().lexically_relative(path))) return false;
+    const fs::path relative = entry.path().lexically_relative(path);
+    if (!belongs_to_a_result(relative) && !(study && relative == "README.md")) return false;
   }
   return !error;
 }

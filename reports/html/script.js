@@ -88,25 +88,27 @@
     item.addEventListener('pointerleave', () => step(false));
   }
 
-  // Pictures: one plane at a time.
-  const tabs = all('.tabs button');
-  function choose(tab) {
-    for (const other of tabs) {
-      other.setAttribute('aria-selected', other === tab);
-      document.getElementById(other.getAttribute('aria-controls')).hidden = other !== tab;
-    }
-  }
-  tabs.forEach((tab, k) => {
-    tab.addEventListener('click', () => choose(tab));
-    tab.addEventListener('keydown', (event) => {
-      const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
-      if (!step) return;
-      const next = tabs[(k + step + tabs.length) % tabs.length];
-      choose(next);
-      next.focus();
+  // Tabs: one panel of each list at a time.
+  for (const list of all('.tabs')) {
+    const tabs = all('button', list);
+    const choose = (tab) => {
+      for (const other of tabs) {
+        other.setAttribute('aria-selected', other === tab);
+        document.getElementById(other.getAttribute('aria-controls')).hidden = other !== tab;
+      }
+    };
+    tabs.forEach((tab, k) => {
+      tab.addEventListener('click', () => choose(tab));
+      tab.addEventListener('keydown', (event) => {
+        const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
+        if (!step) return;
+        const next = tabs[(k + step + tabs.length) % tabs.length];
+        choose(next);
+        next.focus();
+      });
     });
-  });
-  if (tabs.length) choose(tabs[0]);
+    if (tabs.length) choose(tabs[0]);
+  }
 
   // Reading pixels: from the colour back to the bin of counts.
   const grouped = (n) => String(n).replace(/\B(?=(\d{3})+$)/g, ',');

@@ -17,9 +17,53 @@ constexpr int kTop = 18;      // room for the highest label
 constexpr int kHeight = 220;  // of the area between the axes
 constexpr int kBottom = 22;
 
-double y_of(double value, double full) { return kTop + kHeight * (1 - value / full); }
+/// The y axis: from `low` (0, or above it where logarithmic) to `high`.
+struct Axis {
+  bool logarithmic;
+  double low, high;
 
-std::string path_of(const LinePlot& plot, const Line& line, double full) {
+  /// 0 at the foot, 1 at the top.
+  double place(double value) const {
+    if (!logarithmic) return value / high;
+    return std::log(value / low) / std::log(high / low);
+  }
+  double y(double value) const { return kTop + kHeight * (1 - place(value)); }
+  std::vector<double> ticks() const {
+    std::vector<double> values;
+    if (!logarithmic) {
+      for (int k = 0; k <= 4; ++k) values.push_back(high * k / 4);
+      return values;
+    }
+    const bool decades = high / low > 500;
+    for (double decade = std::pow(10.0, std::floor(std::log10(low * 1.0001))); decade <= high; decade *= 10) {
+      for (double step : {1.0, 2.0, 5.0}) {
+        const double value = decade * step;
+        if (value > low * 0.999 && value < high * 1.001 && (!decades || step == 1.0)) values.push_back(value);
+      }
+    }
+    return values;
+  }
+};
+
+Axis axis_of(const LinePlot& plot) {
+  double highest = plot.reference, lowest = plot.reference > 0 ? plot.reference : HUGE_VAL;
+  for (const Line& line : plot.lines) {
+    for (double value : line.values) {
+      if (std::isnan(value)) continue;
+      highest = std::max(highest, value);
+      lowest = std::min(lowest, value);
+    }
+  }
+  if (!plot.logarithmic || !(lowest > 0) || !std::isfinite(lowest))
+    return {false, 0, round_up_nicely(highest)};
+  const double decade = std::pow(10.0, std::floor(std::log10(lowest * 1.0001)));
+  double low = decade;
+  for (double step : {2.0, 5.0}) low = step * decade <= lowest * 1.0001 ? step * decade : low;
+  const double high = round_up_nicely(highest);
+  return {true, low, high > low ? high : 10 * low};
+}
+
+std::string path_of(const LinePlot& plot, const Line& line, const Axis& axis) {
   std::string path;
   bool pen_down = false;
   for (size_t k = 0; k < plot.places.size(); ++k) {
@@ -28,20 +72,24 @@ std::string path_of(const LinePlot& plot, const Line& line, double full) {
       continue;
     }
     path += fmt::format("{}{:.2f} {:.2f}", pen_down ? "L" : "M", 1000 * plot.places[k],
-                        1000 * (1 - line.values[k] / full));
+                        1000 * (1 - axis.place(line.values[k])));
     pen_down = true;
   }
   return path;
 }
 
-std::string axes(const LinePlot& plot, double full) {
+std::string axes(const LinePlot& plot, const Axis& axis) {
   std::string svg;
-  for (int k = 0; k <= 4; ++k) {
-    const double value = full * k / 4;
-    const double y = y_of(value, full);
+  const std::vector<double> ticks = axis.ticks();
+  for (double value : ticks) {
+    const double y = axis.y(value);
     svg += fmt::format("<line class=\"grid\" x1=\"0\" x2=\"100%\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/>", y);
     svg += fmt::format("<text class=\"tick\" x=\"0\" y=\"{:.1f}\">{}{}</text>", y - 3, significant(value, 3),
-                       k == 4 ? " " + escape(plot.y_unit) : "");
+                       value == ticks.back() ? " " + escape(plot.y_unit) : "");
+  }
+  if (plot.reference > 0) {
+    svg += fmt::format("<line class=\"reference\" x1=\"0\" x2=\"100%\" y1=\"{0:.1f}\" y2=\"{0:.1f}\"/>",
+                       axis.y(plot.reference));
   }
   for (const auto& [place, text] : plot.x_ticks) {
     const char* anchor = place < 0.04 ? "start" : place > 0.96 ? "end" : "middle";
@@ -64,11 +112,7 @@ std::string data_for_script(const LinePlot& plot) {
 }  // namespace
 
 std::string svg_line_plot(const LinePlot& plot) {
-  double highest = 0;
-  for (const Line& line : plot.lines) {
-    for (double value : line.values) highest = std::isnan(value) ? highest : std::max(highest, value);
-  }
-  const double full = round_up_nicely(highest);
+  const Axis axis = axis_of(plot);
   std::vector<LegendEntry> legend;
   for (const Line& line : plot.lines) legend.push_back({line.css_class, line.label, ""});
   std::string figure = "<figure class=\"plot lines\"><figcaption>" + plot.title;
@@ -78,14 +122,14 @@ std::string svg_line_plot(const LinePlot& plot) {
       "<div class=\"area\" tabindex=\"0\" role=\"img\" aria-label=\"Line plot; arrow keys read values\">"
       "<svg width=\"100%\" height=\"{}\">",
       kTop + kHeight + kBottom);
-  figure += axes(plot, full);
+  figure += axes(plot, axis);
   figure += fmt::format(
       "<svg x=\"0\" y=\"{}\" width=\"100%\" height=\"{}\" viewBox=\"0 0 1000 1000\" "
       "preserveAspectRatio=\"none\" overflow=\"visible\">",
       kTop, kHeight);
   for (const Line& line : plot.lines) {
     figure += fmt::format("<path class=\"line {0}\" data-series=\"{0}\" d=\"{1}\"/>", line.css_class,
-                          path_of(plot, line, full));
+                          path_of(plot, line, axis));
   }
   figure += "</svg>";
   for (const Line& line : plot.lines) {
@@ -93,7 +137,7 @@ std::string svg_line_plot(const LinePlot& plot) {
       if (std::isnan(line.values[k])) continue;
       figure +=
           fmt::format("<circle class=\"{0}\" data-series=\"{0}\" cx=\"{1:.2f}%\" cy=\"{2:.1f}\" r=\"4\"/>",
-                      line.css_class, 100 * plot.places[k], y_of(line.values[k], full));
+                      line.css_class, 100 * plot.places[k], axis.y(line.values[k]));
     }
   }
   return figure + "</svg></div>" + data_for_script(plot) + "</figure>\n";

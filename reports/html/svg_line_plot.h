@@ -20,7 +20,9 @@ struct LinePlot {
   std::vector<std::pair<double, std::string>> x_ticks;
   std::string y_unit;  ///< written at the top label
   std::vector<Line> lines;
-  bool points = false;  ///< marks at the values: for few places
+  bool points = false;       ///< marks at the values: for few places
+  bool logarithmic = false;  ///< the y axis; values must be > 0. Else it starts at 0
+  double reference = 0;      ///< > 0: a dashed line across, on the axis
 };
 
 /// A <figure> with an SVG; pointing or the arrow keys show every line's value at the nearest place.

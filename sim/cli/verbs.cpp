@@ -21,6 +21,8 @@ constexpr Verb kVerbs[] = {
      "cuesta rays convert default.rays default.csv", make_rays_convert_command},
     {"rays check", "Reads a ray trace to its end and names what is damaged.",
      "cuesta rays check default.rays", make_rays_check_command},
+    {"study", "Regenerates a published study: its data and its page.",
+     "cuesta study iterations --quick -o iterations-quick", make_study_command},
     {"list", "What there is: algorithms, scenes, architectures, effects, parameters or statistics.",
      "cuesta list parameters", make_list_command},
     {"verify oracle", "Holds traversal against exact arithmetic, ray by ray.",

@@ -21,6 +21,7 @@ std::unique_ptr<Command> make_rays_convert_command();
 std::unique_ptr<Command> make_rays_check_command();
 std::unique_ptr<Command> make_heightmap_make_command();
 std::unique_ptr<Command> make_heightmap_info_command();
+std::unique_ptr<Command> make_study_command();
 std::unique_ptr<Command> make_list_command();
 std::unique_ptr<Command> make_verify_oracle_command();
 std::unique_ptr<Command> make_verify_laws_command();

@@ -72,7 +72,8 @@ TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
                          {"heightmap", "info"},
                          {"list"},
                          {"verify", "oracle"},
-                         {"verify", "laws"}};
+                         {"verify", "laws"},
+                         {"study"}};
   for (Words words : verbs) {
     words.push_back("--help");
     const ProgramResult result = cuesta(words);

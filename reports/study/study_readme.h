@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "reports/study/study_data.h"
+
+namespace cuesta {
+
+/// The note beside a study's files: question, answer in a sentence, what each file is, the command that makes them.
+std::string study_readme(const StudyData& data, const std::string& headline);
+
+}  // namespace cuesta

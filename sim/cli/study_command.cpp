@@ -1,0 +1,94 @@
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "reports/result_json.h"
+#include "reports/study/study_readme.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/result_output.h"
+#include "sim/cli/standard_output.h"
+#include "sim/cli/verbs.h"
+#include "sim/study/study_runner.h"
+
+namespace cuesta {
+namespace {
+
+/// Regenerates a published study: data, page and the note beside them. Time, host and versions are in the manifest
+/// alone, so that everything else has the same bytes each time.
+class StudyCommand : public Command {
+ public:
+  void declare(CLI::App& app) override {
+    std::string names;
+    for (const Study& study : studies()) names += (names.empty() ? "" : ", ") + std::string(study.name);
+    app.add_option("name", name_, "Which study: " + names)->required();
+    app.add_option("-o,--output", folder_,
+                   "Folder; default: reports/published/NAME, with --quick results/NAME-quick");
+    app.add_option("--resume", resume_,
+                   "Take finished cases over from the data.json of an earlier, stopped one");
+    app.add_flag("--force,--overwrite", force_, "Replace an older folder of that name");
+    app.add_flag("--quick", quick_, "A small part of the matrix: seconds instead of minutes");
+    app.add_option("--workers", workers_, "Threads, 1 to 64; the data do not depend on it")
+        ->capture_default_str();
+  }
+
+  ExitCode run(const Session& session) override {
+    const auto start = std::chrono::steady_clock::now();
+    const Study& study = find_study(name_);
+    if (folder_.empty()) folder_ = quick_ ? "results/" + name_ + "-quick" : "reports/published/" + name_;
+    Result manifest = begin_result("study", session);
+    manifest.manifest.seeds.emplace_back("maps", "1");
+    ResultFolder folder = ResultFolder::create(folder_, force_);
+    const StudyData data = measured(study, session);
+    if (data.cases.empty()) {
+      throw Error(ExitCode::kIncomplete, "Stopped before the first case was finished; nothing is kept.");
+    }
+
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    char wall[32];
+    std::snprintf(wall, sizeof wall, "%.1f", seconds.count());
+    manifest.manifest.environment.emplace_back("wall_seconds", wall);
+    manifest.manifest.environment.emplace_back("workers", std::to_string(workers_));
+    const std::string headline = study.headline(data);
+    folder.write("data.json", study_json(data));
+    folder.write("data.csv", study_csv(data));
+    folder.write("report.html", study.page(data));
+    folder.write("README.md", study_readme(data, headline));
+    folder.write("manifest.json", manifest_json(manifest));
+    folder.commit(!data.partial());
+
+    std::printf("%s\nReport: %s\n", headline.c_str(), (folder.final_path() / "report.html").c_str());
+    flush_standard_output();
+    if (!data.partial()) return ExitCode::kOk;
+    std::fprintf(stderr, "cuesta: stopped; %zu of %llu cases are finished and kept.\n", data.cases.size(),
+                 static_cast<unsigned long long>(data.planned));
+    return ExitCode::kIncomplete;
+  }
+
+ private:
+  StudyData measured(const Study& study, const Session& session) const {
+    const uint64_t all = planned_places(study, study.plan(quick_)).size();
+    ProgressBar bar(session, name_, "cases", all);
+    const auto progress = [&](uint64_t finished, uint64_t) { return bar.update(finished); };
+    if (resume_.empty()) return run_study(study, quick_, workers_, progress);
+    const StudyData earlier = parse_study_json(whole_file(resume_), resume_);
+    return run_study(study, quick_, workers_, progress, &earlier);
+  }
+
+  static std::string whole_file(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw input_error(path + " cannot be read; accepted is the data.json of a study.");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  std::string name_, folder_, resume_;
+  bool force_ = false, quick_ = false;
+  int workers_ = 2;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_study_command() { return make_command<StudyCommand>(); }
+
+}  // namespace cuesta

@@ -1,0 +1,33 @@
+#include "models/common/error.h"
+#include "models/common/words.h"
+#include "reports/study/study_pages.h"
+#include "sim/study/bandwidth.h"
+#include "sim/study/iterations.h"
+#include "sim/study/study.h"
+
+namespace cuesta {
+namespace {
+
+constexpr Study kStudies[] = {
+    {"iterations", iterations_plan, 2, iterations_planned, make_iterations_bench, iterations_page,
+     iterations_headline},
+    {"bandwidth", bandwidth_plan, 2, bandwidth_planned, make_bandwidth_bench, bandwidth_page,
+     bandwidth_headline},
+};
+
+}  // namespace
+
+std::span<const Study> studies() { return kStudies; }
+
+const Study& find_study(std::string_view name) {
+  std::vector<std::string_view> names;
+  for (const Study& study : kStudies) {
+    if (study.name == name) return study;
+    names.push_back(study.name);
+  }
+  const std::string near = did_you_mean(name, names);
+  throw usage_error("There is no study `" + printable(name) + "`; accepted are " + joined(names) +
+                    (near.empty() ? "." : near));
+}
+
+}  // namespace cuesta
