@@ -46,7 +46,6 @@ constexpr std::array<MapKind, 16> kKinds = {{
 }};
 
 constexpr int kMaxSide = 16384;
-constexpr size_t kKeptTexels = size_t{1024} * 1024;  ///< 8 MiB of relief are kept, more are made twice
 
 void check(const std::string& what, int value, int largest) {
   if (value >= 1 && value <= largest) return;
@@ -65,8 +64,8 @@ const MapKind* find_map_kind(std::string_view name) {
   return nullptr;
 }
 
-HeightGrid generate(std::string_view name, int width, int height, int bits, uint64_t seed,
-                    const Watch& watch) {
+HeightGrid generate(std::string_view name, int width, int height, int bits, uint64_t seed, const Watch& watch,
+                    size_t kept_texels) {
   const MapKind* kind = find_map_kind(name);
   if (kind == nullptr) {
     std::vector<std::string_view> names;
@@ -85,7 +84,7 @@ HeightGrid generate(std::string_view name, int width, int height, int bits, uint
 
   const size_t texels = static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height);
   const auto rows = static_cast<uint64_t>(grid.height);
-  const bool twice = kind->stretch && texels > kKeptTexels;
+  const bool twice = kind->stretch && texels > kept_texels;
   uint64_t rows_done = 0;
   auto row_done = [&] {
     ++rows_done;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -27,6 +28,9 @@ struct MapKind {
   ReliefRows (*make)(int width, int height, uint64_t seed);
 };
 
+/// 128 MiB of relief are kept, more are made twice.
+inline constexpr size_t kKeptTexels = size_t{4096} * 4096;
+
 /// All kinds, `fractal` first.
 std::span<const MapKind> map_kinds();
 /// nullptr when there is none of that name.
@@ -36,11 +40,11 @@ const MapKind* find_map_kind(std::string_view name);
 /// float64, and integers. Every map tiles without a seam but `steps`, whose seam is a cliff, and a `checker` of sides that
 /// are no multiples of 16. The highest texel is at full scale (z = 1), except
 /// `flat`, which is at half of it. width, height, bits 0: the kind's own.
-/// In memory: the grid, with room for its pyramid; the relief beside it only while it is small (1024 x 1024), else
-/// it is made twice. `watch` hears of rows.
+/// In memory: the grid, with room for its pyramid; the relief beside it (8 bytes a texel) up to `kept_texels`;
+/// above, it is made twice, with the same heights in the end. `watch` hears of rows.
 /// Throws usage_error for an unknown kind (naming those there are), a side beyond 1 to 16384 or bits beyond 1
 /// to 16; Error (incomplete) when `watch` stops it.
 HeightGrid generate(std::string_view kind, int width = 0, int height = 0, int bits = 0, uint64_t seed = 1,
-                    const Watch& watch = {});
+                    const Watch& watch = {}, size_t kept_texels = kKeptTexels);
 
 }  // namespace cuesta
