@@ -75,7 +75,8 @@ std::string surprises_section(const StudyTable& table) {
   const std::string& small = table.axis("size").values.front();
   std::string html = "<ul class=\"prose\">";
   html +=
-      "<li><b>Steps that are saved at the top of the pyramid save no time.</b> The start-level decision "
+      "<li><b>In oblique views, steps saved at the top of the pyramid save no time.</b> The start-level "
+      "decision "
       "alone "
       "against oh2006 at 50°: steps " +
       spread_of("yun2013-start", "oh2006", "steps", {}, kOblique) + "; cycles " +
