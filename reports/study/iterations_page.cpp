@@ -75,7 +75,8 @@ std::string surprises_section(const StudyTable& table) {
       wins(table, "steps", {{"map", "noise"}, {"size", table.axis("size").values.front()}}, kAnyAngle);
   if (noise.views > 0) {
     html += fmt::format(
-        "<li><b>On rough maps the plain walk beats every pyramid.</b> White noise, {} texels: dda takes the "
+        "<li><b>On rough maps the plain walk often beats every pyramid.</b> White noise, {} texels: dda "
+        "takes the "
         "fewest "
         "steps of all published schedules in {} of {} views. A ray ends after a few texels, and a bound that "
         "is near "
