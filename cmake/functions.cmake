@@ -49,6 +49,10 @@ function(cuesta_test name)
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest cuesta_warnings)
   # `if (...) EXPECT_EQ(...)` is not ambiguous: GoogleTest's macros begin with a switch for that.
   target_compile_options(${name} PRIVATE -Wno-dangling-else)
+  if(NOT TARGET tests_${ARG_LABEL})
+    add_custom_target(tests_${ARG_LABEL})  # every test program of the label
+  endif()
+  add_dependencies(tests_${ARG_LABEL} ${name})
   gtest_discover_tests(${name}
       WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
       DISCOVERY_MODE PRE_TEST

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <utility>
@@ -53,8 +54,17 @@ bool is_result_folder(const fs::path& path) {
   return !error;
 }
 
+bool is_empty_folder(const fs::path& path) {
+  std::error_code error;
+  return fs::symlink_status(path, error).type() == fs::file_type::directory && fs::is_empty(path, error);
+}
+
 void check_free(const fs::path& path, bool overwrite) {
-  if (!is_there(path)) return;
+  std::error_code error;
+  if (fs::symlink_status(path, error).type() == fs::file_type::none) {  // a name too long, no permission
+    throw usage_error("'" + path.string() + "' cannot be a result folder: " + error.message() + ".");
+  }
+  if (!is_there(path) || is_empty_folder(path)) return;
   if (!overwrite) {
     throw usage_error("The result folder '" + path.string() +
                       "' exists; results never go over old ones unless --overwrite is given.");
@@ -80,7 +90,7 @@ fs::path make_staging(const fs::path& final_path) {
 /// False when something has that name. Throws when the folder cannot be renamed; `from` is gone or kept whole.
 bool rename_if_free(const fs::path& from, const fs::path& to) {
   if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
-  if (errno == EEXIST) return false;
+  if (errno == EEXIST) return is_empty_folder(to) && std::rename(from.c_str(), to.c_str()) == 0;
   if (errno != EINVAL) throw cannot("rename the finished folder to", to, std::strerror(errno));
   if (is_there(to)) return false;  // a file system without RENAME_NOREPLACE
   std::error_code error;

@@ -30,11 +30,15 @@ void use_heightmap(const std::string& heightmap, Scene& scene) {
 
 void apply_changes(const SceneChanges& changes, Scene& scene) {
   if (!changes.heightmap.empty()) use_heightmap(changes.heightmap, scene);
-  if (!changes.rays_file.empty()) scene.rays_file = changes.rays_file;
+  if (!changes.rays_file.empty()) {
+    scene.rays_file = changes.rays_file;
+    scene.ray_set = {};
+  }
   const bool camera = changes.angle_degrees || changes.size;
-  if (camera && !scene.rays_file.empty()) {
+  if (camera && !(scene.rays_file.empty() && scene.ray_set.kind.empty())) {
     throw usage_error("--angle and --size say how the camera makes rays, and the rays come from " +
-                      scene.rays_file + "; accepted is one of the two.");
+                      (scene.rays_file.empty() ? "the set " + scene.ray_set.kind : scene.rays_file) +
+                      "; accepted is one of the two.");
   }
   if (changes.angle_degrees) {
     if (!scene.camera.by_angle) {
@@ -109,19 +113,15 @@ Scene changed_scene(const std::string& scene_name_or_path, const SceneChanges& c
   return scene;
 }
 
-Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes) {
+Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes, const RayWatch& watch) {
   Job job;
   job.scene = changed_scene(scene_name_or_path, changes);
   const Scene& scene = job.scene;
   job.inputs.push_back({"scene", scene.origin, sha256_of_text(scene.text)});
   MemoryNeed need;
   if (scene.rays_file.empty()) {
-    const uint64_t pixels = static_cast<uint64_t>(scene.width) * static_cast<uint64_t>(scene.height);
-    const uint64_t rays = changes.crop ? static_cast<uint64_t>(changes.crop->width) *
-                                             static_cast<uint64_t>(changes.crop->height)
-                                       : pixels;
-    need.rays = std::min(rays, pixels);
-    need.pixels = pixels;
+    need.rays = most_rays(scene, changes.crop);
+    need.pixels = most_rays(scene);
     check_memory(need);
   }
 
@@ -130,10 +130,10 @@ Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& chang
     need.map_height = map_height;
     check_memory(need);
   }));
-  const int width = job.pyramid.width(0), height = job.pyramid.height(0);
-  job.map = {width, height, job.pyramid.root_level(), job.pyramid.bits(), scene.address_mode};
+  job.map = {job.pyramid.width(0), job.pyramid.height(0), job.pyramid.root_level(), job.pyramid.bits(),
+             scene.address_mode};
 
-  job.trace = make_rays(scene, width, height, changes.crop);
+  job.trace = make_rays(scene, job.map, changes.crop, watch);
   if (!scene.rays_file.empty()) {
     job.inputs.push_back({"rays", scene.rays_file, sha256_of_file(scene.rays_file)});
     need.rays = job.trace.rays.size();

@@ -41,7 +41,9 @@ struct Job {
 Scene changed_scene(const std::string& scene_name_or_path, const SceneChanges& changes);
 
 /// Changes a scene and makes it ready. Throws usage_error for the scene and for changes
-/// that contradict it, input_error for images and ray files, Error(kResource) when it would not fit into memory.
-Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes);
+/// that contradict it, input_error for images and ray files, Error(kResource) when it would not fit into memory,
+/// Error(kIncomplete) when `watch` stops the making of rays.
+Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes,
+                const RayWatch& watch = {});
 
 }  // namespace cuesta

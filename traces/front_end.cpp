@@ -97,9 +97,19 @@ Crop parse_crop(const std::string& text) {
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-RayTrace make_rays(const Scene& scene, int map_width, int map_height, const std::optional<Crop>& crop) {
-  if (!scene.rays_file.empty()) return cropped(read_ray_file(scene.rays_file), crop);
-  const double tile_height = static_cast<double>(map_height) / map_width;
+uint64_t most_rays(const Scene& scene, const std::optional<Crop>& crop) {
+  if (!scene.rays_file.empty()) return 0;
+  if (!scene.ray_set.kind.empty()) return scene.ray_set.count;
+  const auto product = [](int a, int b) { return static_cast<uint64_t>(a) * static_cast<uint64_t>(b); };
+  const uint64_t pixels = product(scene.width, scene.height);
+  return crop ? std::min(pixels, product(crop->width, crop->height)) : pixels;
+}
+
+RayTrace make_rays(const Scene& scene, const MapShape& map, const std::optional<Crop>& crop,
+                   const RayWatch& watch) {
+  if (!scene.rays_file.empty()) return cropped(read_ray_file(scene.rays_file, watch), crop);
+  if (!scene.ray_set.kind.empty()) return cropped(make_ray_set(scene.ray_set, map, watch), crop);
+  const double tile_height = static_cast<double>(map.height) / map.width;
   const double scale[3] = {1, 1 / tile_height, 1 / scene.depth};
   const Camera camera = make_camera(scene, tile_height);
   if (camera.position[2] < 0) {
@@ -108,10 +118,11 @@ RayTrace make_rays(const Scene& scene, int map_width, int map_height, const std:
   }
   const Pixels pixels(camera, scene, scale);
   const Slab slab{static_cast<double>(scene.tiles[0]), static_cast<double>(scene.tiles[1]),
-                  scene.address_mode != AddressMode::kBorder, 1.0 / 128 / map_width, 1.0 / 128 / map_height};
+                  scene.address_mode != AddressMode::kBorder, 1.0 / 128 / map.width, 1.0 / 128 / map.height};
   const Crop area = checked(crop, scene.width, scene.height);
   RayTrace trace{scene.width, scene.height, {}};
   for (int y = area.y; y < area.y + area.height; ++y) {
+    keep_watch(watch, trace.rays.size());
     for (int x = area.x; x < area.x + area.width; ++x) {
       TracedRay ray;
       std::copy(std::begin(pixels.origin), std::end(pixels.origin), ray.origin);

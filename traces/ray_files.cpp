@@ -14,12 +14,12 @@ bool is_csv_name(const std::string& path) {
   return ending == ".csv";
 }
 
-RayTrace read_ray_file(const std::string& path) {
-  return is_csv_name(path) ? read_rays_csv(path) : read_rays(path);
+RayTrace read_ray_file(const std::string& path, const RayWatch& watch) {
+  return is_csv_name(path) ? read_rays_csv(path, watch) : read_rays(path, watch);
 }
 
-void write_ray_file(const std::string& path, const RayTrace& trace) {
-  is_csv_name(path) ? write_rays_csv(path, trace) : write_rays(path, trace);
+void write_ray_file(const std::string& path, const RayTrace& trace, const RayWatch& watch) {
+  is_csv_name(path) ? write_rays_csv(path, trace, watch) : write_rays(path, trace, watch);
 }
 
 }  // namespace cuesta

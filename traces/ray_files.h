@@ -10,8 +10,9 @@ namespace cuesta {
 bool is_csv_name(const std::string& path);
 
 /// read_rays_csv for a .csv name, else read_rays.
-RayTrace read_ray_file(const std::string& path);
-/// write_rays_csv for a .csv name, else write_rays.
-void write_ray_file(const std::string& path, const RayTrace& trace);
+RayTrace read_ray_file(const std::string& path, const RayWatch& watch = {});
+/// write_rays_csv for a .csv name, else write_rays. Both throw Error(kIncomplete) when `watch` says stop: the file is
+/// then not there.
+void write_ray_file(const std::string& path, const RayTrace& trace, const RayWatch& watch = {});
 
 }  // namespace cuesta

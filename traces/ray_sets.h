@@ -1,24 +1,39 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "models/traversal/machine_ray.h"
 #include "traces/ray_trace.h"
 
 namespace cuesta {
 
-/// Rays without a camera, for tests and verification: the same seed gives the same rays everywhere. Ray k has id
-/// k and the k-th pixel of a grid that is at most 1024 wide. `count` is at most 2^28 (throws usage_error).
+/// Rays without a camera that are asked for: the same values give the same rays everywhere.
+struct RaySet {
+  std::string kind;        ///< a name out of ray_set_kinds(); empty: no set
+  uint64_t count = 65536;  ///< 1 to 2^28
+  uint64_t seed = 1;
+  int tile_bits =
+      4;  ///< of the machine that shall take them: no ray starts beyond 2^tile_bits tiles; 0 to 20
+};
 
-/// Ray k is of angle class k mod 10: five ranges between the view and the surface's normal (0, 30, 60, 80, 89, 89.99
-/// degrees), descending; horizontal; and the first four rising. Azimuth, start and slab thickness are uniform; three
-/// in four start where they enter the slab (but in border mode descending rays on top), the others inside; one in
-/// eight has a finite t_max. But in border mode starts spread over four tiles each way.
-RayTrace random_rays(const MapShape& map, uint64_t seed, uint64_t count);
+/// A kind of ray set. Ray k is of class k mod classes.size(), so that each class has as many rays as another.
+struct RaySetKind {
+  std::string_view name;
+  std::string_view meaning;  ///< one sentence
+  std::span<const std::string_view> classes;
+};
 
-/// Rays on the map's lattice, where traversal meets its ties: origins on texel planes, texel middles, corners, edges
-/// and integer heights; directions that are small whole numbers of texels and height steps, so along an axis, along
-/// a diagonal, vertical, horizontal and rising; starts on the top plane, on the map's sides and before them, inside.
-RayTrace lattice_rays(const MapShape& map, uint64_t seed, uint64_t count);
+std::span<const RaySetKind> ray_set_kinds();
+
+/// Ray k has id k and the k-th pixel, line by line, of a grid that is at most 1024 wide, so that every dispatch order
+/// has something to order. Throws usage_error for an unknown kind, a count or tile_bits out of range;
+/// Error(kIncomplete) when `watch` says stop.
+RayTrace make_ray_set(const RaySet& set, const MapShape& map, const RayWatch& watch = {});
+
+/// Throws usage_error where make_ray_set would.
+void check_ray_set(const RaySet& set);
 
 }  // namespace cuesta

@@ -8,6 +8,12 @@
 
 namespace cuesta {
 
+void keep_watch(const RayWatch& watch, uint64_t finished) {
+  if (!watch || watch(finished)) return;
+  throw Error(ExitCode::kIncomplete,
+              "Stopped after " + std::to_string(finished) + " rays; nothing of them is kept.");
+}
+
 std::string fault_of(const TracedRay& ray, int width, int height) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name(1, "uvz"[axis]);

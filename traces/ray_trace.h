@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,12 @@ struct RayTrace {
 
 inline constexpr int kLongestSide = 65536;
 inline constexpr uint64_t kMostPixels = uint64_t{1} << 28;
+
+/// Called now and then by whatever makes, reads or writes many rays, with how many it has done; false: stop.
+using RayWatch = std::function<bool(uint64_t finished)>;
+
+/// Throws Error(kIncomplete) when `watch` (may be empty) says stop: whoever writes then leaves no file behind.
+void keep_watch(const RayWatch& watch, uint64_t finished);
 
 /// What makes a ray unusable as input, such as "its direction is zero", or "" for a ray that is in order: finite
 /// origin and direction, a direction that is not zero, t_min finite and >= 0, t_max >= 0 (infinity is allowed),

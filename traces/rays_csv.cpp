@@ -18,6 +18,16 @@ namespace {
 
 constexpr std::string_view kTitle = "# cuesta rays 1, width ";
 constexpr std::string_view kTitleMiddle = ", height ";
+constexpr uint64_t kRaysBetweenWatches = 4096;
+
+/// A file's name until it is whole; what still has it at the end goes.
+struct TemporaryName {
+  explicit TemporaryName(const std::string& path) : name(path + ".partial-" + std::to_string(getpid())) {}
+  ~TemporaryName() { std::remove(name.c_str()); }
+  TemporaryName(const TemporaryName&) = delete;
+  TemporaryName& operator=(const TemporaryName&) = delete;
+  const std::string name;
+};
 
 class CsvReader {
  public:
@@ -28,7 +38,7 @@ class CsvReader {
     if (!file_) throw input_error("Cannot read the ray trace " + path + ": the file cannot be opened.");
   }
 
-  RayTrace read() {
+  RayTrace read(const RayWatch& watch) {
     RayTrace trace;
     read_title(trace);
     read_column_names();
@@ -38,6 +48,7 @@ class CsvReader {
       const std::string fault = fault_of(trace.rays.back(), trace.width, trace.height);
       if (!fault.empty()) fail("this ray is damaged: " + fault);
       ids.push_back(trace.rays.back().id);
+      if (ids.size() % kRaysBetweenWatches == 0) keep_watch(watch, ids.size());
     }
     require_distinct_ids(std::move(ids), "Cannot read the ray trace " + path_);
     return trace;
@@ -139,9 +150,9 @@ class CsvReader {
 
 }  // namespace
 
-RayTrace read_rays_csv(const std::string& path) {
+RayTrace read_rays_csv(const std::string& path, const RayWatch& watch) {
   try {
-    return CsvReader(path).read();
+    return CsvReader(path).read(watch);
   } catch (const std::bad_alloc&) {
     throw Error(ExitCode::kResource, "Cannot read the ray trace " + path + ": memory does not suffice.");
   } catch (const std::filesystem::filesystem_error& error) {
@@ -149,7 +160,7 @@ RayTrace read_rays_csv(const std::string& path) {
   }
 }
 
-void write_rays_csv(const std::string& path, const RayTrace& trace) {
+void write_rays_csv(const std::string& path, const RayTrace& trace, const RayWatch& watch) {
   const std::string grid_fault =
       fault_of_grid(static_cast<uint64_t>(trace.width), static_cast<uint64_t>(trace.height));
   if (!grid_fault.empty()) throw input_error("Cannot write " + path + ": " + grid_fault + ".");
@@ -160,8 +171,8 @@ void write_rays_csv(const std::string& path, const RayTrace& trace) {
                         " is damaged: " + fault + ".");
     }
   }
-  const std::string temporary = path + ".partial-" + std::to_string(getpid());
-  std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
+  const TemporaryName temporary(path);
+  std::ofstream file(temporary.name, std::ios::binary | std::ios::trunc);
   std::string text = std::string(kTitle) + std::to_string(trace.width) + std::string(kTitleMiddle) +
                      std::to_string(trace.height) + "\n";
   const char* separator = "";
@@ -177,13 +188,13 @@ void write_rays_csv(const std::string& path, const RayTrace& trace) {
     }
     text.back() = '\n';
     if (text.size() < 1 << 16) continue;
+    keep_watch(watch, static_cast<uint64_t>(&ray - trace.rays.data()));
     file << text;
     text.clear();
   }
   file << text;
   file.close();
-  if (!file || std::rename(temporary.c_str(), path.c_str()) != 0) {
-    std::remove(temporary.c_str());
+  if (!file || std::rename(temporary.name.c_str(), path.c_str()) != 0) {
     throw Error(ExitCode::kResource, "Cannot write " + path +
                                          ": the file could not be created and completed; is "
                                          "the folder there and writable, the disk full?");

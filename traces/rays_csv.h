@@ -11,10 +11,10 @@ namespace cuesta {
 
 /// Throws Error(kResource) when the file cannot be written, input_error for a ray that no reader would accept. The
 /// file appears under its name only when it is complete.
-void write_rays_csv(const std::string& path, const RayTrace& trace);
+void write_rays_csv(const std::string& path, const RayTrace& trace, const RayWatch& watch = {});
 
 /// Columns may stand in any order; id, origin_u, origin_v, origin_z, direction_u, direction_v and direction_z are
 /// required, others take TracedRay's defaults. Throws input_error naming line and column.
-RayTrace read_rays_csv(const std::string& path);
+RayTrace read_rays_csv(const std::string& path, const RayWatch& watch = {});
 
 }  // namespace cuesta

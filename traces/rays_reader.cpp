@@ -126,13 +126,12 @@ bool RayReader::next_chunk(std::vector<TracedRay>& rays) {
   return true;
 }
 
-RayTrace read_rays(const std::string& path) {
+RayTrace read_rays(const std::string& path, const RayWatch& watch) {
   try {
     RayReader reader(path);
     RayTrace trace{reader.width(), reader.height(), {}};
     std::vector<uint64_t> ids;
-    while (reader.next_chunk(trace.rays)) {
-    }
+    while (reader.next_chunk(trace.rays)) keep_watch(watch, trace.rays.size());
     ids.reserve(trace.rays.size());
     for (const TracedRay& ray : trace.rays) ids.push_back(ray.id);
     require_distinct_ids(std::move(ids), "Cannot read the ray trace " + path);

@@ -42,8 +42,15 @@ class RayReader {
 };
 
 /// The whole trace. Throws input_error for what RayReader refuses and for two rays with one id; Error(kResource)
-/// when memory does not suffice.
-RayTrace read_rays(const std::string& path);
+/// when memory does not suffice; Error(kIncomplete) when `watch` says stop.
+RayTrace read_rays(const std::string& path, const RayWatch& watch = {});
+
+/// How steep a ray is: |z| of its direction over the larger of |u| and |v|, in heights of the slab per tile.
+/// 0: vertical, 1: 10 and more, then a class per decade, 8: below 1e-5, 9: horizontal.
+inline constexpr int kSlopeClasses = 10;
+int slope_class(const TracedRay& ray);
+/// "10 and more".
+std::string_view name_of_slope_class(int slope_class);
 
 /// What a trace holds.
 struct RaySummary {
@@ -51,6 +58,7 @@ struct RaySummary {
   uint64_t rays = 0, chunks = 0, file_bytes = 0;
   uint64_t of_kind[4] = {0, 0, 0, 0};  ///< by RayKind
   uint64_t descending = 0, horizontal = 0, rising = 0;
+  uint64_t of_slope[kSlopeClasses] = {};           ///< by slope_class
   uint64_t pixels = 0;                             ///< pixels that at least one ray belongs to
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  ///< bounds of the origins; zeros without rays
 };

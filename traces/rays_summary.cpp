@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "models/common/error.h"
@@ -26,6 +27,7 @@ class Summing {
     ++(ray.direction[2] < 0   ? summary_.descending
        : ray.direction[2] > 0 ? summary_.rising
                               : summary_.horizontal);
+    ++summary_.of_slope[slope_class(ray)];
     auto seen = seen_[static_cast<size_t>(ray.pixel_y) * static_cast<size_t>(width_) + ray.pixel_x];
     if (!seen) ++summary_.pixels;
     seen = true;
@@ -45,6 +47,25 @@ class Summing {
 };
 
 }  // namespace
+
+int slope_class(const TracedRay& ray) {
+  const auto size = [&](int axis) { return std::abs(ray.direction[axis]); };
+  const double across = std::max(size(0), size(1));
+  if (across == 0) return 0;
+  if (size(2) == 0) return kSlopeClasses - 1;
+  double least = 10;  // of the class
+  for (int k = 1; k < kSlopeClasses - 2; ++k, least /= 10) {
+    if (size(2) >= least * across) return k;
+  }
+  return kSlopeClasses - 2;
+}
+
+std::string_view name_of_slope_class(int slope_class) {
+  static constexpr std::string_view kNames[kSlopeClasses] = {
+      "vertical",     "10 and more",  "1 to 10",      "0.1 to 1",   "0.01 to 0.1",
+      "1e-3 to 0.01", "1e-4 to 1e-3", "1e-5 to 1e-4", "below 1e-5", "horizontal"};
+  return kNames[slope_class];
+}
 
 RaySummary check_rays(const std::string& path) {
   try {

@@ -3,7 +3,9 @@
 #include <unistd.h>
 #include <zstd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "models/common/error.h"
 #include "traces/rays_format.h"
@@ -25,7 +27,7 @@ RayWriter::RayWriter(const std::string& path, int width, int height)
   file_.open(temporary_, std::ios::binary | std::ios::trunc);
   if (!file_) {
     throw Error(ExitCode::kResource, "Cannot write " + path + ": the file " + temporary_ +
-                                         " cannot be created; is the folder there and writable?");
+                                         " cannot be created: " + std::strerror(errno) + ".");
   }
   records_.reserve(kChunkRays * kRecordBytes);
   const HeaderBytes place{};
@@ -94,13 +96,16 @@ void RayWriter::finish() {
   finished_ = true;
 }
 
-void write_rays(const std::string& path, const RayTrace& trace) {
+void write_rays(const std::string& path, const RayTrace& trace, const RayWatch& watch) {
   std::vector<uint64_t> ids;
   ids.reserve(trace.rays.size());
   for (const TracedRay& ray : trace.rays) ids.push_back(ray.id);
   require_distinct_ids(std::move(ids), "Cannot write " + path);
   RayWriter writer(path, trace.width, trace.height);
-  for (const TracedRay& ray : trace.rays) writer.add(ray);
+  for (size_t k = 0; k < trace.rays.size(); ++k) {
+    if (k % kChunkRays == 0) keep_watch(watch, k);
+    writer.add(trace.rays[k]);
+  }
   writer.finish();
 }
 

@@ -37,7 +37,7 @@ class RayWriter {
   bool finished_ = false;
 };
 
-/// Throws as RayWriter, and input_error when two rays share an id.
-void write_rays(const std::string& path, const RayTrace& trace);
+/// Throws as RayWriter, input_error when two rays share an id, and Error(kIncomplete) when `watch` says stop.
+void write_rays(const std::string& path, const RayTrace& trace, const RayWatch& watch = {});
 
 }  // namespace cuesta

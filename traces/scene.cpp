@@ -161,6 +161,22 @@ void read_image_size(const TomlTable& table, Scene& scene) {
   if (!fault.empty()) throw table.error("height", "makes " + fault + ".");
 }
 
+void read_rays(const TomlTable& table, const std::string& folder, Scene& scene) {
+  refuse_together(table, "file", "set");
+  if (!table.has("set")) {
+    scene.rays_file = resolved(folder, table.text("file"));
+    return;
+  }
+  std::vector<std::string_view> kinds;
+  for (const RaySetKind& kind : ray_set_kinds()) kinds.push_back(kind.name);
+  RaySet& set = scene.ray_set;
+  set.kind = kinds[table.choice("set", kinds)];
+  set.count =
+      static_cast<uint64_t>(table.integer("count", {1, kMostPixels}, static_cast<int64_t>(set.count)));
+  set.seed = static_cast<uint64_t>(table.integer("seed", {0, INT64_MAX}, static_cast<int64_t>(set.seed)));
+  set.tile_bits = static_cast<int>(table.integer("tile_bits", {0, 20}, set.tile_bits));
+}
+
 Scene read_scene(const TomlDocument& document, const std::string& folder) {
   const TomlTable root = document.root();
   Scene scene;
@@ -176,7 +192,7 @@ Scene read_scene(const TomlDocument& document, const std::string& folder) {
   const std::optional<TomlTable> rays = root.optional_table("rays");
   if (rays) {
     for (std::string_view key : {"camera", "image"}) refuse_together(root, "rays", key);
-    scene.rays_file = resolved(folder, rays->text("file"));
+    read_rays(*rays, folder, scene);
   } else {
     read_camera(root.table_or_empty("camera"), scene.camera);
     read_image_size(root.table_or_empty("image"), scene);

@@ -5,6 +5,7 @@
 
 #include "models/traversal/machine_ray.h"
 #include "traces/heightmaps/image_reader.h"
+#include "traces/ray_sets.h"
 
 namespace cuesta {
 
@@ -41,6 +42,7 @@ struct Scene {
   CameraSettings camera;
   int width = 512, height = 512;  ///< pixels
   std::string rays_file;          ///< .rays or .csv in the place of camera and image; may be empty
+  RaySet ray_set;                 ///< likewise; no kind: none. One of camera, file and set
 };
 
 /// Reads a scene file. Throws usage_error with file, line, key, what was found and what is accepted.

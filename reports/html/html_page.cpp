@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "models/common/error.h"
 #include "reports/headline.h"
 #include "reports/html/assets.h"
@@ -47,9 +49,13 @@ std::string facts_line(const Result& result) {
 std::string scene_sections(const Result& result, const RunGroup& group, bool several, ShownNames& shown) {
   const RunEntry& first = result.runs[group.runs.front()];
   const std::string on = several ? " on " + escape(group.scene) : "";
+  // Of a partial run's rays only those count that it has finished.
+  const bool same_rays =
+      group.runs.size() > 1 && std::none_of(group.runs.begin(), group.runs.end(),
+                                            [&](size_t run) { return result.runs[run].partial(); });
   std::string html = section(several ? escape(group.scene) : "In numbers",
                              fmt::format("{} rays{}.", grouped(static_cast<int64_t>(first.all_rays)),
-                                         group.runs.size() > 1 ? ", the same for every row" : ""),
+                                         same_rays ? ", the same for every row" : ""),
                              comparison_table(result, group, shown) + number_plots(result, group, shown));
   html += section("Where the cycles went" + on, "", utilisation_plots(result, group, shown));
   html += section("Memory traffic" + on, "", traffic_plots(result, group, shown));

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "sim/cli/cycle_host.h"
 #include "sim/cli/progress.h"
@@ -58,18 +59,28 @@ class CompareCommand : public Command {
     const std::vector<std::string> names = scene_names(changes);
     const std::string stem = names.size() == 1 ? names[0] : std::to_string(names.size()) + "-scenes";
     ResultFolder folder = open_result_folder(options_, stem + "-compare");
+    std::optional<Error> failure;
     for (const std::string& scene : scenes_) {
       if (stop_requested()) break;
-      const Job job = prepare_job(scene, changes);
-      add_inputs(job, result);
-      remark_inputs(session, job, machines);
-      measure_all(session, job, algorithms, machines, fidelity, cycle_runner, result);
+      try {
+        const Job job = prepare_job(scene, changes, watched(session, "making rays", 0));
+        add_inputs(job, result);
+        remark_inputs(session, job, machines);
+        measure_all(session, job, algorithms, machines, fidelity, cycle_runner, result);
+      } catch (const Error& error) {
+        if (result.runs.empty()) throw;
+        failure = error;
+        break;
+      }
     }
     size_t planned = 0;
     for (const ResolvedArchitecture& machine : machines) {
       planned += scenes_.size() * distinct_on(machine.architecture, algorithms).size();
     }
-    return finish_result(result, planned, machines, fidelity, folder, options_, start);
+    if (failure) result.manifest.environment.emplace_back("failed", failure->what());
+    const ExitCode code = finish_result(result, planned, machines, fidelity, folder, options_, start);
+    if (failure) throw *failure;  // after what was measured before it is safe
+    return code;
   }
 
  private:

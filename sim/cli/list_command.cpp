@@ -98,6 +98,7 @@ void list_parameters() {
     const std::string unit = p.unit.empty() ? "" : " " + std::string(p.unit);
     std::printf("    default %s%s; accepted is %s; source: %s\n", p.text(p.get(standard)).c_str(),
                 unit.c_str(), p.accepted().c_str(), std::string(p.source).c_str());
+    if (!p.inert.empty()) std::printf("    inert: %s\n", std::string(p.inert).c_str());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <memory>
 
 namespace cuesta {
 namespace {
@@ -45,11 +46,17 @@ std::string short_rate(double per_second) {
 
 }  // namespace
 
+std::function<bool(uint64_t)> watched(const Session& session, const std::string& label, uint64_t all) {
+  auto bar = std::make_shared<ProgressBar>(session, label, "rays", all);
+  return [bar](uint64_t finished) { return bar->update(finished); };
+}
+
 bool stop_requested() { return g_stop != 0; }
 
 void install_stop_handler() {
-  std::signal(SIGINT, on_stop);
-  std::signal(SIGTERM, on_stop);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (std::signal(signal, on_stop) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
 }
 
 ProgressBar::ProgressBar(const Session& session, std::string label, std::string unit, uint64_t all)

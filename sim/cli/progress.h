@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "sim/cli/command.h"
@@ -36,7 +37,12 @@ class ProgressBar {
   Clock::time_point next_;
 };
 
-/// True once SIGINT or SIGTERM has come; main() installs the handler. A second signal ends the program at once.
+/// A bar over rays as the functions of traces/ ask for it; it goes with the function's last copy.
+std::function<bool(uint64_t finished)> watched(const Session& session, const std::string& label,
+                                               uint64_t all);
+
+/// True once SIGINT, SIGTERM or SIGHUP has come; main() installs the handler, but leaves a signal alone that the
+/// parent asked to ignore (nohup). A second signal ends the program at once.
 bool stop_requested();
 void install_stop_handler();
 

@@ -4,6 +4,7 @@
 
 #include "models/common/words.h"
 #include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
 #include "sim/cli/verbs.h"
 #include "traces/ray_files.h"
 #include "traces/rays_reader.h"
@@ -42,6 +43,11 @@ void print_summary(const std::string& path, const RaySummary& summary) {
   std::printf("  directions    %llu descending, %llu horizontal, %llu rising\n",
               static_cast<Number>(summary.descending), static_cast<Number>(summary.horizontal),
               static_cast<Number>(summary.rising));
+  for (int k = 0; k < kSlopeClasses; ++k) {
+    if (summary.of_slope[k] == 0) continue;
+    std::printf("    slope %-14s%llu\n", std::string(name_of_slope_class(k)).c_str(),
+                static_cast<Number>(summary.of_slope[k]));
+  }
   for (int axis = 0; summary.rays > 0 && axis < 3; ++axis) {
     std::printf("  origin %c      %s to %s\n", "uvz"[axis], shortest_text(summary.low[axis]).c_str(),
                 shortest_text(summary.high[axis]).c_str());
@@ -87,8 +93,8 @@ class ConvertCommand : public Command {
   }
   ExitCode run(const Session& session) override {
     refuse_existing(to_, force_);
-    const RayTrace trace = read_ray_file(from_);
-    write_ray_file(to_, trace);
+    const RayTrace trace = read_ray_file(from_, watched(session, "reading", 0));
+    write_ray_file(to_, trace, watched(session, "writing", trace.rays.size()));
     if (!session.quiet) std::fprintf(stderr, "%s: %zu rays.\n", to_.c_str(), trace.rays.size());
     return ExitCode::kOk;
   }

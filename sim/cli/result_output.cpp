@@ -99,6 +99,10 @@ void add_inputs(const Job& job, Result& result) {
     result.manifest.seeds.emplace_back("heightmap of scene " + job.scene.name,
                                        std::to_string(job.scene.generated.seed));
   }
+  if (!job.scene.ray_set.kind.empty()) {
+    result.manifest.seeds.emplace_back("rays of scene " + job.scene.name,
+                                       std::to_string(job.scene.ray_set.seed));
+  }
 }
 
 void add_inputs(const std::vector<ResolvedArchitecture>& machines, Result& result) {

@@ -49,7 +49,7 @@ class RunCommand : public Command {
     result.manifest.environment.emplace_back("simulation_host", options_.host);
     ResultFolder folder = open_result_folder(
         options_, changed_scene(scene, changes).name + "-" + folder_name(algorithms[0].id));
-    const Job job = prepare_job(scene, changes);
+    const Job job = prepare_job(scene, changes, watched(session, "making rays", 0));
     add_inputs(job, result);
     add_inputs(machines, result);
     remark_inputs(session, job, machines);

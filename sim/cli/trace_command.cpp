@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
 #include "sim/cli/verbs.h"
 #include "traces/front_end.h"
 #include "traces/ray_files.h"
@@ -28,8 +29,9 @@ class TraceCommand : public Command {
     if (!crop_.empty()) crop = parse_crop(crop_);
     const Scene scene = find_scene(scene_);
     const HeightGrid grid = heights_of(scene).grid;
-    const RayTrace trace = make_rays(scene, grid.width, grid.height, crop);
-    write_ray_file(output_, trace);
+    const MapShape map = map_shape(grid.width, grid.height, grid.bits, scene.address_mode);
+    const RayTrace trace = make_rays(scene, map, crop, watched(session, "making", most_rays(scene, crop)));
+    write_ray_file(output_, trace, watched(session, "writing", trace.rays.size()));
     if (!session.quiet) {
       std::fprintf(stderr, "%s: %zu rays for a frame of %d x %d pixels, %ju bytes.\n", output_.c_str(),
                    trace.rays.size(), trace.width, trace.height,

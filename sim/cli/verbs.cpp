@@ -16,6 +16,9 @@ constexpr Verb kVerbs[] = {
      make_heightmap_make_command},
     {"heightmap info", "What an image holds and how it is read as heights.",
      "cuesta heightmap info rocks.tga --channel A", make_heightmap_info_command},
+    {"rays make", "Makes a set of rays without a camera: random, stratified, lattice or adversarial.",
+     "cuesta rays make adversarial -o hard.rays --count 100000 --seed 7 --map-of default",
+     make_rays_make_command},
     {"rays info", "What a ray trace holds.", "cuesta rays info default.rays", make_rays_info_command},
     {"rays convert", "A ray trace to CSV or back, by the name's ending.",
      "cuesta rays convert default.rays default.csv", make_rays_convert_command},
@@ -37,7 +40,7 @@ struct Group {
 
 constexpr Group kGroups[] = {
     {"heightmap", "Make a heightmap, or see what a file holds and how it will be read."},
-    {"rays", "Look into a ray trace, convert it to and from CSV, check it."},
+    {"rays", "Make a set of rays, look into a ray trace, convert it to and from CSV, check it."},
     {"verify", "Hold results against exact arithmetic or the laws of the accounting."},
 };
 

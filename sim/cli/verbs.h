@@ -16,6 +16,7 @@ std::string_view group_sentence(std::string_view group);
 std::unique_ptr<Command> make_run_command();
 std::unique_ptr<Command> make_compare_command();
 std::unique_ptr<Command> make_trace_command();
+std::unique_ptr<Command> make_rays_make_command();
 std::unique_ptr<Command> make_rays_info_command();
 std::unique_ptr<Command> make_rays_convert_command();
 std::unique_ptr<Command> make_rays_check_command();

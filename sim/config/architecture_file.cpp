@@ -140,6 +140,20 @@ std::vector<std::string> unused_in_files(const ResolvedArchitecture& resolved, b
   return unused;
 }
 
+/// "fast.toml:4: " of the key that decides a contradiction: of those that the sentence names the one that was given
+/// last, on the command line or else in a file; empty where all are a preset's or defaults.
+std::string place_of(const std::string& contradiction, const ResolvedArchitecture& resolved) {
+  std::string place;
+  for (size_t k = 0; k < parameters().size(); ++k) {
+    const std::string& origin = resolved.origins[k];
+    if (origin == "default" || origin.starts_with("preset ")) continue;
+    if (contradiction.find("`" + std::string(parameters()[k].path) + "`") == std::string::npos) continue;
+    if (origin == "--set") return "--set " + std::string(parameters()[k].path) + ": ";
+    if (place.empty()) place = origin + ": ";
+  }
+  return place;
+}
+
 }  // namespace
 
 std::pair<std::string, std::string> split_setting(const std::string& setting) {
@@ -157,7 +171,10 @@ ResolvedArchitecture resolve_architecture(const std::string& preset_or_file,
   load(preset_or_file, 0, resolved);
   apply_settings(settings, resolved);
   const std::vector<std::string> wrong = contradictions(resolved.architecture);
-  if (!wrong.empty()) throw usage_error("Architecture " + resolved.architecture.name + ": " + wrong.front());
+  if (!wrong.empty()) {
+    throw usage_error(place_of(wrong.front(), resolved) + "Architecture " + resolved.architecture.name +
+                      ": " + wrong.front());
+  }
   // Reports tell machines apart by their names.
   for (size_t k = 0; k < settings.size(); ++k) {
     resolved.architecture.name += (k == 0 ? " with " : ", ") + settings[k];

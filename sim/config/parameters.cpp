@@ -91,6 +91,11 @@ constexpr Parameter choice(std::string_view path, std::span<const std::string_vi
           C::get, C::set};
 }
 
+constexpr Parameter inert(Parameter parameter, std::string_view reason) {
+  parameter.inert = reason;
+  return parameter;
+}
+
 using A = Architecture;
 using Machine = MachineParameters;
 using Dispatch = RayDispatchParameters;
@@ -108,13 +113,14 @@ constexpr auto kParameters = std::to_array<Parameter>({
         "machine.pipelines", 1, 64, kTime, "",
         "Pipelines (ray_setup, traverse, height_l1, hit_queue) behind one ray_dispatch and over one dram.",
         kOurs),
-    number<&A::machine, &Machine::clock_mhz>("machine.clock_mhz", 1, 10'000, kTime, "MHz",
-                                             "Clock of the machine, which dram's is a ratio of; turns cycles "
-                                             "into rays/s and GB/s, and changes no count.",
-                                             kOurs),
-    number<&A::machine, &Machine::no_progress_cycles>(
-        "machine.no_progress_cycles", 1'000, 1'000'000'000'000, kTime, "cycles",
-        "The run stops with exit code 4 after so many cycles in which no step finishes.", kOurs),
+    inert(
+        number<&A::machine, &Machine::clock_mhz>("machine.clock_mhz", 1, 10'000, kTime, "MHz",
+                                                 "Clock of the machine, which dram's is a ratio of.", kOurs),
+        "turns cycles into rays/s, frames/s and GB/s, and changes no count"),
+    inert(number<&A::machine, &Machine::no_progress_cycles>(
+              "machine.no_progress_cycles", 1'000, 1'000'000'000'000, kTime, "cycles",
+              "The run stops with exit code 4 after so many cycles in which no step finishes.", kOurs),
+          "ends a run that stands still, and changes no run that goes on"),
 
     name<&A::ray_dispatch, &Dispatch::order>("ray_dispatch.order", kOrders, kTime,
                                              "Order in which rays leave the trace: by scanline, by tile, or "

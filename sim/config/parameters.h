@@ -27,6 +27,8 @@ struct Parameter {
   std::string_view source;   ///< where range and default come from; "ours": our choice
   int64_t (*get)(const Architecture&);
   void (*set)(Architecture&, int64_t);
+  std::string_view inert =
+      {};  ///< why it changes no count, histogram or digest; empty: in some setting it does
 
   std::string_view section() const { return path.substr(0, path.find('.')); }
   std::string_view key() const { return path.substr(path.find('.') + 1); }

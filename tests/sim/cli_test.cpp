@@ -16,7 +16,7 @@ TEST_F(CommandLine, WrongUsageEndsWithTwoAndTheNearestName) {
       {{"-q"}, "No verb is given"},
       {{"-q", "rn"}, "did you mean `run`?"},
       {{"rn"}, "did you mean `run`?"},
-      {{"rays"}, "accepted are info, convert, check"},
+      {{"rays"}, "accepted are make, info, convert, check"},
       {{"rays", "inof"}, "did you mean `info`?"},
       {{"verify", "rtl"}, "accepted are oracle, laws"},
       {{"list"}, "is required"},
@@ -62,17 +62,10 @@ TEST_F(CommandLine, WrongUsageEndsWithTwoAndTheNearestName) {
 }
 
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
-  const Words verbs[] = {{"run"},
-                         {"compare"},
-                         {"trace"},
-                         {"rays", "info"},
-                         {"rays", "convert"},
-                         {"rays", "check"},
-                         {"heightmap", "make"},
-                         {"heightmap", "info"},
-                         {"list"},
-                         {"verify", "oracle"},
-                         {"verify", "laws"},
+  const Words verbs[] = {{"run"},           {"compare"},           {"trace"},
+                         {"rays", "make"},  {"rays", "info"},      {"rays", "convert"},
+                         {"rays", "check"}, {"heightmap", "make"}, {"heightmap", "info"},
+                         {"list"},          {"verify", "oracle"},  {"verify", "laws"},
                          {"study"}};
   for (Words words : verbs) {
     words.push_back("--help");
@@ -201,6 +194,88 @@ TEST_F(CommandLine, InterruptKeepsWhatIsFinishedAndSaysSo) {
   const Json& last = json["runs"].back();
   EXPECT_EQ(last["partial"].get<bool>(), last["rays"]["finished"] < last["rays"]["of"]);
   EXPECT_NE(result.err.find("of 8 runs are whole"), std::string::npos) << result.err;
+}
+
+TEST_F(CommandLine, EverySignalToStopLeavesNothingUnfinishedBehind) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Interrupt interrupt{"Scene ", 200, signal};
+    EXPECT_EQ(cuesta({"compare", "default", "--size", "1024", "-o", "out"}, &interrupt).code, 7) << signal;
+    for (const auto& entry : std::filesystem::directory_iterator(path(""))) {
+      EXPECT_EQ(entry.path().filename().string().find("unfinished"), std::string::npos) << entry.path();
+    }
+    std::filesystem::remove_all(path("out"));
+  }
+}
+
+TEST_F(CommandLine, ATraceThatIsStoppedLeavesNoFile) {
+  const Interrupt interrupt{"", 300};
+  const ProgramResult result =
+      cuesta({"rays", "make", "stratified", "--count", "20000000", "-o", "many.rays"}, &interrupt);
+  EXPECT_TRUE(result.code == 7 || result.code == 128 + SIGINT) << result.code << result.err;
+  EXPECT_TRUE(std::filesystem::is_empty(path("")));
+}
+
+TEST_F(CommandLine, AnEmptyFolderIsTakenForTheResult) {
+  write("small.toml", kSmallScene);
+  std::filesystem::create_directory(path("mine"));
+  const ProgramResult result = cuesta({"run", "small.toml", "-o", "mine", "-q"});
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_FALSE(read("mine/result.json").empty());
+  EXPECT_FALSE(std::filesystem::exists(path("mine-2")));
+}
+
+TEST_F(CommandLine, ANameTooLongIsCalledSo) {
+  write("small.toml", kSmallScene);
+  expect_refusal(cuesta({"run", "small.toml", "-o", std::string(300, 'a'), "-q"}), 2, "File name too long",
+                 "folder");
+  expect_refusal(cuesta({"rays", "make", "random", "--count", "5", "-o", std::string(300, 'a'), "-q"}), 6,
+                 "File name too long", "file");
+}
+
+TEST_F(CommandLine, WhatWasMeasuredBeforeAFailureIsKeptAndTheFailuresCodeReturned) {
+  write("small.toml", kSmallScene);
+  write("stuck.toml",
+        "base = \"tiny\"\n[machine]\nno_progress_cycles = 1000\n[dram]\nrequest_latency_cycles = 10000\n");
+  const ProgramResult result = cuesta(
+      {"compare", "small.toml", "--algorithm", "dda,oh2006", "--arch", "tiny,stuck.toml", "-o", "out", "-q"});
+  EXPECT_EQ(result.code, 4) << result.err;
+  EXPECT_NE(result.err.find("2 of 4 runs are whole"), std::string::npos) << result.err;
+  const Json json = Json::parse(read("out/result.json"));
+  EXPECT_EQ(json["runs"].size(), 2u);
+  EXPECT_NE(read("out/manifest.json").find("2 of 4 runs are whole"), std::string::npos);
+}
+
+TEST_F(CommandLine, AContradictionNamesTheLineThatDecides) {
+  write("small.toml", kSmallScene);
+  write("fast.toml", "base = \"tiny\"\n[traverse]\nstages = 8\ncontexts = 4\n");
+  expect_refusal(cuesta({"run", "small.toml", "--arch", "fast.toml", "-q"}), 2, "fast.toml:3: ", "file");
+  expect_refusal(cuesta({"run", "small.toml", "--arch", "fast.toml", "--set", "traverse.contexts=2", "-q"}),
+                 2, "--set traverse.contexts: ", "setting");
+}
+
+TEST_F(CommandLine, RaySetsRunFromASceneAndFromAFileAlike) {
+  const std::string map = "[heightmap]\ngenerate = { kind = \"rocks\", width = 32, height = 32 }\n";
+  write("set.toml", map + "[rays]\nset = \"adversarial\"\ncount = 500\nseed = 7\n");
+  write("plain.toml", map);
+  ASSERT_EQ(cuesta({"rays", "make", "adversarial", "-o", "a.csv", "--count", "500", "--seed", "7", "--map-of",
+                    "plain.toml"})
+                .code,
+            0);
+  ASSERT_EQ(cuesta({"rays", "make", "adversarial", "-o", "b.rays", "--count", "500", "--seed", "7", "--width",
+                    "32", "--height", "32"})
+                .code,
+            0);
+  ASSERT_EQ(cuesta({"run", "set.toml", "-o", "set"}).code, 0);
+  ASSERT_EQ(cuesta({"run", "plain.toml", "--rays", "a.csv", "-o", "a"}).code, 0);
+  ASSERT_EQ(cuesta({"run", "plain.toml", "--rays", "b.rays", "-o", "b"}).code, 0);
+  const auto digest = [&](const std::string& folder) {
+    return Json::parse(read(folder + "/result.json"))["runs"][0]["digest"];
+  };
+  EXPECT_EQ(digest("set"), digest("a"));
+  EXPECT_EQ(digest("set"), digest("b"));
+  expect_refusal(cuesta({"run", "set.toml", "--angle", "20", "-q"}), 2, "the set adversarial", "angle");
+  write("both.toml", map + "[rays]\nset = \"random\"\nfile = \"a.csv\"\n");
+  expect_refusal(cuesta({"run", "both.toml", "-q"}), 2, "both.toml:5", "file and set");
 }
 
 TEST_F(CommandLine, AFrameThatNoHostHoldsIsRefusedAsAResource) {

@@ -16,7 +16,7 @@ Job job_on(int width, int height, AddressMode mode) {
   job.scene.name = "made";
   job.pyramid = build_max_pyramid(generate("rocks", width, height, 8, 3));
   job.map = {width, height, job.pyramid.root_level(), 8, mode};
-  job.trace = random_rays(job.map, 7, 300);
+  job.trace = make_ray_set({"stratified", 300, 7}, job.map);
   for (const TracedRay& ray : job.trace.rays) {
     job.pixel_of_ray.push_back(ray.pixel_y * static_cast<uint32_t>(job.trace.width) + ray.pixel_x);
   }

@@ -52,7 +52,7 @@ ProgramResult run_program(const std::string& program, const std::vector<std::str
       ended = waitpid(child, &status, WNOHANG) == child;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(interrupt->milliseconds));
-    if (!ended) kill(child, SIGINT);
+    if (!ended) kill(child, interrupt->signal);
   }
   if (!ended) waitpid(child, &status, 0);
   ProgramResult result;

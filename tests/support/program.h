@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signal.h>
+
 #include <string>
 #include <vector>
 
@@ -12,10 +14,11 @@ struct ProgramResult {
   std::string err;  ///< stderr
 };
 
-/// When to send SIGINT: so long after this text has appeared on stderr.
+/// When to send a signal: so long after this text has appeared on stderr.
 struct Interrupt {
   std::string after_text;
   int milliseconds = 0;
+  int signal = SIGINT;
 };
 
 /// Runs `program` with these arguments in `folder` and waits for its end.

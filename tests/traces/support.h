@@ -11,6 +11,7 @@
 
 #include "models/common/error.h"
 #include "models/common/random.h"
+#include "traces/front_end.h"
 #include "traces/ray_trace.h"
 
 namespace cuesta {
@@ -38,6 +39,17 @@ class ScratchFolder {
   }
   std::filesystem::path path_;
 };
+
+/// A map of 8 bits.
+inline MapShape shape_of(int width, int height, AddressMode mode = AddressMode::kWrap) {
+  int level = 0;
+  while (1 << level < std::max(width, height)) ++level;
+  return {width, height, level, 8, mode};
+}
+
+inline RayTrace make_rays(const Scene& scene, int width, int height, const std::optional<Crop>& crop = {}) {
+  return make_rays(scene, shape_of(width, height, scene.address_mode), crop);
+}
 
 inline std::string bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
