@@ -18,7 +18,8 @@ RayTrace parallel_rays(const ParallelView& view) {
   const double angle = elementary::radians(view.angle_degrees), turn = elementary::radians(view.turn_degrees);
   const double sine = view.angle_degrees == 0 ? 0 : elementary::sin(angle), cosine = elementary::cos(angle);
   const double right[2] = {elementary::cos(turn), elementary::sin(turn)};
-  const double away[2] = {elementary::sin(turn), -elementary::cos(turn)};  // from the viewer, along the surface
+  const double away[2] = {elementary::sin(turn),
+                          -elementary::cos(turn)};  // from the viewer, along the surface
   const double pixel = view.tiles_across / view.width;
   RayTrace trace{view.width, view.height, {}};
   trace.rays.reserve(static_cast<size_t>(view.width) * static_cast<size_t>(view.height));
