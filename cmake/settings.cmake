@@ -1,6 +1,7 @@
 # Language, floating point, warnings, sanitizers and ccache, for everything in the tree.
 option(CUESTA_WERROR "Treat warnings as errors (./check does)" OFF)
 option(CUESTA_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(CUESTA_RTL "Verilate the hardware and hold the model against it" ON)
 option(CUESTA_FUZZ "The readers under libFuzzer (needs clang): tests/fuzz/run" OFF)
 
 set(CMAKE_CXX_STANDARD 20)

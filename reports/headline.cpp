@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "reports/numbers.h"
@@ -37,11 +38,13 @@ struct Best {
   size_t compared = 0;
 };
 
+/// Of the runs on the level of detail of the group's first run: others see other heights.
 Best fewest(const Result& result, const RunGroup& group, std::string_view name) {
   Best best;
   double least = 0;
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
+    if (level_of_detail(run) != level_of_detail(result.runs[group.runs.front()])) continue;
     const auto value = number(run, name);
     if (!value || run.partial()) continue;
     ++best.compared;
@@ -125,6 +128,16 @@ std::string headline(const Result& result) {
   const std::vector<RunGroup> groups = group_by_scene(result);
   std::string text = about_scenes(result, groups);
   for (const RunGroup& group : groups) {
+    const std::string_view level = level_of_detail(result.runs[group.runs.front()]);
+    const auto elsewhere = std::count_if(group.runs.begin(), group.runs.end(), [&](size_t index) {
+      return level_of_detail(result.runs[index]) != level;
+    });
+    if (elsewhere > 0) {
+      text += fmt::format(
+          " On {} this is for the runs whose leaves are on level {}; {} on other levels {} other heights.",
+          group.scene, level, elsewhere == 1 ? "the one" : fmt::format("the {}", elsewhere),
+          elsewhere == 1 ? "sees" : "see");
+    }
     for (size_t index : group.runs) {
       const RunEntry& run = result.runs[index];
       if (!run.partial() || group.runs.size() == 1) continue;

@@ -54,15 +54,28 @@ std::vector<RunGroup> group_by_scene(const Result& result) {
   return groups;
 }
 
+std::string_view level_of_detail(const RunEntry& run) {
+  constexpr std::string_view kStop = ":stop=";
+  const std::string_view name = run.algorithm;
+  const size_t at = name.find(kStop);
+  if (at == std::string_view::npos) return "0";
+  const std::string_view level = name.substr(at + kStop.size());
+  return level.substr(0, level.find(':'));
+}
+
 const RunEntry* baseline_of(const Result& result, const RunEntry& run) {
   const RunEntry* first = nullptr;
   bool some_oh = false;
   for (const RunEntry& other : result.runs) {
-    some_oh = some_oh || other.algorithm == "oh2006";
+    if (level_of_detail(other) != level_of_detail(run)) continue;
+    const bool oh = other.algorithm.starts_with("oh2006") &&
+                    (other.algorithm == "oh2006" ||
+                     other.algorithm == "oh2006:stop=" + std::string(level_of_detail(run)));
+    some_oh = some_oh || oh;
     if (other.scene != run.scene) continue;
     if (first == nullptr) first = &other;
     const bool same_machine = other.architecture == run.architecture && other.fidelity == run.fidelity;
-    if (other.algorithm == "oh2006" && same_machine) return &other;
+    if (oh && same_machine) return &other;
   }
   return some_oh ? nullptr : first;
 }

@@ -82,6 +82,10 @@ struct RunGroup {
 /// Scenes in order of first appearance.
 std::vector<RunGroup> group_by_scene(const Result& result);
 
+/// Level of the leaves that a run's algorithm stopped at, as its name says: "0", or N of `:stop=N`. Runs of different
+/// levels see different heights: they are not held against each other.
+std::string_view level_of_detail(const RunEntry& run);
+
 /// The run that `run` is held against: `oh2006` with the same scene, architecture and fidelity. Where no run
 /// of the result is `oh2006`, the scene's first run. nullptr where there is none.
 const RunEntry* baseline_of(const Result& result, const RunEntry& run);

@@ -36,7 +36,10 @@ void apply_changes(const SceneChanges& changes, Scene& scene) {
   }
   const bool camera = changes.angle_degrees || changes.size;
   if (camera && !(scene.rays_file.empty() && scene.ray_set.kind.empty())) {
-    throw usage_error("--angle and --size say how the camera makes rays, and the rays come from " +
+    const std::string given = !changes.size            ? "--angle says"
+                              : !changes.angle_degrees ? "--size says"
+                                                       : "--angle and --size say";
+    throw usage_error(given + " how the camera makes rays, and the rays come from " +
                       (scene.rays_file.empty() ? "the set " + scene.ray_set.kind : scene.rays_file) +
                       "; accepted is one of the two.");
   }

@@ -114,6 +114,11 @@ bool TomlTable::is_text(std::string_view key) const {
   return node && node->kind == Kind::kText;
 }
 
+bool TomlTable::is_integer(std::string_view key) const {
+  const Node* node = ask(*node_, key);
+  return node && node->kind == Kind::kInteger;
+}
+
 bool TomlTable::boolean(std::string_view key, std::optional<bool> otherwise) const {
   const Node* node = ask(*node_, key, !otherwise, "true or false");
   if (!node) return *otherwise;

@@ -58,6 +58,8 @@ class TomlTable {
            std::optional<std::type_identity_t<E>> otherwise = {}) const;
   /// True when the key is there and a text: for keys that take a text or a number.
   bool is_text(std::string_view key) const;
+  /// Likewise for a whole number.
+  bool is_integer(std::string_view key) const;
 
   /// Arrays; empty when the key is missing and `required` is false. `count` 0: any number.
   std::vector<double> reals(std::string_view key, RealRange accepted, size_t count,

@@ -88,7 +88,7 @@ HeightGrid generate(std::string_view name, int width, int height, int bits, uint
   uint64_t rows_done = 0;
   auto row_done = [&] {
     ++rows_done;
-    if (!watch || watch(rows_done, twice ? 2 * rows : rows)) return;
+    if (!watch || watch(rows_done, kind->stretch ? 2 * rows : rows)) return;
     throw Error(ExitCode::kIncomplete,
                 "The height map was stopped before it was whole; nothing of it is kept.");
   };
@@ -107,7 +107,7 @@ HeightGrid generate(std::string_view name, int width, int height, int bits, uint
         low = std::min(low, row[i]);
         high = std::max(high, row[i]);
       }
-      if (twice) row_done();
+      row_done();
     }
   }
 

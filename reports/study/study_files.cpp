@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "models/common/error.h"
 #include "reports/study/study_data.h"
@@ -57,6 +58,12 @@ StudyCase parsed_case(const StudyData& data, const Json& keys, size_t place_on_l
     throw input_error("a case has not as many runs and counts as the study has");
   }
   found.place.push_back(static_cast<uint16_t>(place_on_last));
+  for (const Json& value : values) {
+    constexpr uint64_t kMost = uint64_t{1} << 53;
+    if (!value.is_number_unsigned() || value.get<uint64_t>() > kMost) {
+      throw input_error("a case counts " + value.dump() + "; accepted is a whole number from 0 to 2^53");
+    }
+  }
   values.get_to(found.values);
   return found;
 }
@@ -79,11 +86,21 @@ StudyData parsed(const Json& json) {
   for (const Json& counter : json.at("counters")) {
     data.counters.push_back({counter.at("name"), counter.at("unit"), counter.at("sentence")});
   }
+  std::set<std::string> rows;
   for (const Json& row : json.at("cases")) {
+    if (!rows.insert(row.at(0).dump()).second)
+      throw input_error("case " + row.at(0).dump() + " is there twice");
+    if (row.at(1).size() != data.axes.back().values.size()) {
+      throw input_error("case " + row.at(0).dump() + " has not as many runs as the study has");
+    }
     for (size_t k = 0; k < row.at(1).size(); ++k) {
       if (row.at(1).at(k).is_null()) continue;
       data.cases.push_back(parsed_case(data, row.at(0), k, row.at(1).at(k)));
     }
+  }
+  if (json.at("finished_cases") != data.cases.size()) {
+    throw input_error("it says " + json.at("finished_cases").dump() + " finished cases and holds " +
+                      std::to_string(data.cases.size()));
   }
   return data;
 }
@@ -116,7 +133,8 @@ StudyData parse_study_json(const std::string& text, const std::string& where) {
   } catch (const Error& error) {
     throw input_error(where + " is not the data of a study: " + error.what() + ".");
   } catch (const nlohmann::json::exception& error) {
-    throw input_error(where + " is not the data of a study: " + error.what() + ".");
+    throw input_error(where + " is not the data of a study (" + error.what() +
+                      "); accepted is a data.json as `cuesta study` writes it.");
   }
 }
 

@@ -128,6 +128,14 @@ int run_command_line(int count, const char* const* arguments) {
     if (!leaves[k].app->parsed()) continue;
     const std::vector<std::string> extras = leaves[k].app->remaining();
     if (!extras.empty()) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extras.front());
+    for (const CLI::Option* option : leaves[k].app->get_options()) {
+      for (const std::string& value : option->results()) {
+        if (!value.empty()) continue;
+        throw usage_error("`cuesta " + std::string(verbs()[k].name) + "`: " + option->get_name() +
+                          " is given without a value; accepted is one, or to leave " + option->get_name() +
+                          " out.");
+      }
+    }
     const ExitCode code = leaves[k].command->run(session);
     flush_standard_output();
     return static_cast<int>(code);

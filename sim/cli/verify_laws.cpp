@@ -36,14 +36,15 @@ class VerifyLawsCommand : public Command {
       for (const Preset& preset : presets()) machines.emplace_back(preset.name);
     }
     const auto resolved = parse_architectures(machines, {}, Fidelity::kCycle);
-    SceneChanges changes;
-    changes.size = {size_, size_};
 
     const uint64_t planned = scenes.size() * resolved.size() * algorithms().size() * 2;
     uint64_t runs = 0, rays = 0;
     {
       ProgressBar bar(session, "laws", "runs", planned);
       for (const std::string& scene : scenes) {
+        SceneChanges changes;
+        const Scene plain = changed_scene(scene, changes);
+        if (plain.rays_file.empty() && plain.ray_set.kind.empty()) changes.size = {size_, size_};
         const Job job = prepare_job(scene, changes);
         Measurer measurer(job);
         for (const ResolvedArchitecture& machine : resolved) {

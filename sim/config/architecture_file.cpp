@@ -32,7 +32,7 @@ int64_t read_value(const Parameter& parameter, const TomlTable& section) {
     if (!section.is_text(key)) {
       const auto names = std::span(parameter.names).subspan(1);
       const bool numbers = std::find(names.begin(), names.end(), "1") != names.end();
-      if (numbers) {
+      if (numbers && section.is_integer(key)) {
         const std::string digits = std::to_string(section.integer(key, {-1000, 1000}));
         const auto at = std::find(parameter.names.begin(), parameter.names.end(), digits);
         if (at != parameter.names.end()) return at - parameter.names.begin();

@@ -1,5 +1,6 @@
 #include "sim/hosts/systemc/systemc_host.h"
 
+#include <filesystem>
 #include <fstream>
 #include <systemc>
 
@@ -33,7 +34,14 @@ SystemCHost::SystemCHost(const std::string& vcd, int pipelines, bool quiet) {
   install_report_handler(quiet);
   modules_ = std::make_unique<Modules>();
   if (vcd.empty()) return;
-  const std::string stem = vcd.ends_with(".vcd") ? vcd.substr(0, vcd.size() - 4) : vcd;
+  if (!vcd.ends_with(".vcd")) {  // SystemC would choose another name
+    throw usage_error("--vcd " + vcd + ": accepted is a file whose name ends in .vcd.");
+  }
+  std::error_code ignored;
+  if (std::filesystem::symlink_status(vcd, ignored).type() != std::filesystem::file_type::not_found) {
+    throw usage_error("--vcd " + vcd + ": it exists, or its folder cannot be read; accepted is a new file.");
+  }
+  const std::string stem = vcd.substr(0, vcd.size() - 4);
   if (!std::ofstream(stem + ".vcd")) {  // SystemC's own complaint comes too late to be caught
     throw usage_error("The waves cannot be written into " + stem +
                       ".vcd; accepted is a file in a folder that may be written.");
