@@ -129,6 +129,7 @@ int run_command_line(int count, const char* const* arguments) {
     const std::vector<std::string> extras = leaves[k].app->remaining();
     if (!extras.empty()) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extras.front());
     for (const CLI::Option* option : leaves[k].app->get_options()) {
+      if (option->get_positional()) continue;
       for (const std::string& value : option->results()) {
         if (!value.empty()) continue;
         throw usage_error("`cuesta " + std::string(verbs()[k].name) + "`: " + option->get_name() +

@@ -43,8 +43,8 @@ class VerifyLawsCommand : public Command {
       ProgressBar bar(session, "laws", "runs", planned);
       for (const std::string& scene : scenes) {
         SceneChanges changes;
-        const Scene plain = changed_scene(scene, changes);
-        if (plain.rays_file.empty() && plain.ray_set.kind.empty()) changes.size = {size_, size_};
+        const Scene wanted = changed_scene(scene, changes);
+        if (wanted.rays_file.empty() && wanted.ray_set.kind.empty()) changes.size = {size_, size_};
         const Job job = prepare_job(scene, changes);
         Measurer measurer(job);
         for (const ResolvedArchitecture& machine : resolved) {
