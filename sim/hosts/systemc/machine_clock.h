@@ -16,7 +16,7 @@ class MachineClock {
   /// Throws usage_error when the kernel's resolution is coarser than the clock's period.
   MachineClock(int clock_mhz, const sc_core::sc_time& origin)
       : per_microsecond_(static_cast<uint64_t>(clock_mhz)),
-        units_(static_cast<uint64_t>(1e-6 / sc_core::sc_get_time_resolution().to_seconds() + 0.5)),
+        units_(sc_core::sc_time(1, sc_core::SC_US).value()),
         origin_(origin.value()) {
     if (units_ < per_microsecond_) {
       throw usage_error("SystemC's time resolution is " + sc_core::sc_get_time_resolution().to_string() +
