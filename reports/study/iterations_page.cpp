@@ -219,7 +219,7 @@ std::string simt_section(const StudyTable& table) {
 std::string distribution_section(const StudyTable& table) {
   std::vector<std::pair<std::string, std::string>> panels;
   const std::vector<std::string> sizes = some_values(table.axis("size"), 3);
-  const std::string size = sizes[sizes.size() / 2];
+  const std::string& size = sizes[sizes.size() / 2];
   for (const std::string& depth : table.axis("depth").values) {
     for (const std::string& angle : some_values(table.axis("angle"), 4)) {
       std::vector<std::vector<std::string>> rows;
