@@ -46,7 +46,8 @@ void MachineWaves::sample(Cycle cycle, const CycleMachine& machine) {
   for (size_t p = 0; p < std::min(fill_.size(), static_cast<size_t>(machine.pipelines())); ++p) {
     sample.fill.push_back(machine.fill(static_cast<int>(p)));
   }
-  const sc_core::sc_time at = clock_->time_of(cycle + window_), now = sc_core::sc_time_stamp();
+  const sc_core::sc_time at = clock_->time_of(cycle + window_);
+  const sc_core::sc_time& now = sc_core::sc_time_stamp();
   if (samples_.size() == 1) next_.notify(std::max(at, now) - now);
 }
 
@@ -63,8 +64,8 @@ void MachineWaves::show() {
   hits_sent_ = hits_.sent();
   samples_.pop_front();
   if (samples_.empty()) return;
-  const sc_core::sc_time at = clock_->time_of(samples_.front().cycle + window_),
-                         now = sc_core::sc_time_stamp();
+  const sc_core::sc_time at = clock_->time_of(samples_.front().cycle + window_);
+  const sc_core::sc_time& now = sc_core::sc_time_stamp();
   next_.notify(std::max(at, now) - now);
 }
 
