@@ -77,7 +77,12 @@ module hmt_top #(
     input  logic                   axi_r_valid_i,
     output logic                   axi_r_ready_o,
     input  logic [   MshrBits-1:0] axi_r_id_i,
-    input  logic [8*LineBytes-1:0] axi_r_data_i
+    input  logic [8*LineBytes-1:0] axi_r_data_i,
+
+    // What this cycle was, for accounting: HmtSlot... of traverse_types.svh, and whose. Nothing depends on it.
+    output logic [            2:0] event_slot_o,
+    output logic                   event_replay_o,  // a step that height_l1 has replayed
+    output logic [     IdBits-1:0] event_id_o
 );
 
   localparam int unsigned SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1;
@@ -266,6 +271,7 @@ module hmt_top #(
       .hit_j_o,
       .hit_t_o,
       .hit_steps_o,
+      .slot_id_o(event_id_o),
       .slot_step_o(slot_step),
       .slot_dead_o(slot_dead),
       .stalled_o(stalled),
@@ -318,6 +324,17 @@ module hmt_top #(
   assign axi_ar_size_o = 3'($clog2(LineBytes));
   assign axi_ar_burst_o = 2'b01;
   assign axi_r_ready_o = 1'b1;
+
+  assign event_replay_o = replay_take;
+  always_comb begin
+    event_slot_o = HmtSlotBubble;
+    if (slot_step) event_slot_o = HmtSlotStep;
+    if (miss) event_slot_o = HmtSlotMiss;
+    if (merge) event_slot_o = HmtSlotMerge;
+    if (refuse) event_slot_o = HmtSlotRefused;
+    if (slot_dead) event_slot_o = HmtSlotDead;
+    if (stalled) event_slot_o = HmtSlotStall;
+  end
 
   // ---- Counters, with the model's names
   wire hit_leaves = hit_valid_o & hit_ready_i;

@@ -94,6 +94,7 @@ module traverse #(
     output logic        [    TimeBits-1:0] hit_t_o,
     output logic        [            31:0] hit_steps_o,
 
+    output logic [     IdBits-1:0] slot_id_o,    // the ray at select
     output logic                   slot_step_o,  // what the cycle was, one of these or a miss or a bubble
     output logic                   slot_dead_o,
     output logic                   stalled_o,
@@ -199,6 +200,7 @@ module traverse #(
   assign enable_o = enable;
   wire step_0 = replay | (lookup_valid_o & lookup_hit_i);
 
+  assign slot_id_o = fresh ? in_id_i : id_q[context_0];
   assign slot_step_o = step_0;
   assign slot_dead_o = fresh_dead;
   assign stalled_o = ~enable;

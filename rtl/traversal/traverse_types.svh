@@ -24,6 +24,15 @@ localparam logic [2:0] HmtFaceWallX = 3'd2;
 localparam logic [2:0] HmtFaceWallY = 3'd3;
 localparam logic [2:0] HmtFaceInside = 3'd4;
 
+// What a cycle of traverse was.
+localparam logic [2:0] HmtSlotBubble = 3'd0;
+localparam logic [2:0] HmtSlotStep = 3'd1;     // the texel is there: a node visit
+localparam logic [2:0] HmtSlotMiss = 3'd2;     // the lookup missed and has allocated an MSHR
+localparam logic [2:0] HmtSlotMerge = 3'd3;    // ... and joined the MSHR of an earlier miss
+localparam logic [2:0] HmtSlotRefused = 3'd4;  // ... and found no free MSHR
+localparam logic [2:0] HmtSlotDead = 3'd5;     // a ray dead at set-up
+localparam logic [2:0] HmtSlotStall = 3'd6;    // the pipe stood still
+
 localparam int unsigned HmtLevelBits = 4;  // of a level: root level at most 14
 
 // verilator lint_on UNUSEDPARAM
