@@ -79,12 +79,13 @@ StudyData bandwidth_plan(bool quick) {
                  machines,
                  algorithm_axis({"oh2006", "yun2013"})};
   } else {
-    plan.axes = {size_axis({"256", "1024"}),
-                 map_axis({"fractal", "rocks", "text", "spikes", "hawaii", "noise", "terraces"}),
-                 depth_axis({"0.05", "0.35"}),
-                 angle_axis({"0", "50", "75", "86"}),
-                 machines,
-                 algorithm_axis(study_algorithms())};
+    plan.axes = {
+        size_axis({"256", "1024", "4096"}),
+        map_axis({"fractal", "rocks", "text", "spikes", "hawaii", "rockbump", "logo", "noise", "terraces"}),
+        depth_axis({"0.05", "0.35"}),
+        angle_axis({"0", "50", "75", "86", "88"}),
+        machines,
+        algorithm_axis(study_algorithms())};
   }
   plan.counters = {
       {"rays", "rays", "Rays traced, one per pixel; all of them hit."},
