@@ -5,10 +5,8 @@
 
 #include "models/dispatch/dispatch_order.h"
 #include "models/memory/dram.h"
-#include "models/memory/height_l1.h"
 #include "models/output/hit_queue.h"
 #include "models/output/result_writer.h"
-#include "models/traversal/ray_setup_unit.h"
 #include "sim/outcome.h"
 #include "sim/traversal_source.h"
 
@@ -34,17 +32,12 @@ struct CycleMachine::Pipeline {
   Pipeline(CycleMachine& m, int p, uint64_t write_base, const PortStalls* stalls)
       : hit_queue(m.architecture_.hit_queue.depth),
         writer(m.architecture_.result_writer, write_base, m.pipelines_, p, hit_queue, m.memory_, stalls),
-        l1(m.architecture_.height_l1, m.architecture_.traverse.contexts, m.layout_.size_bytes(), p, m.memory_,
-           stalls),
-        setup(m.architecture_.ray_setup, m.architecture_.ray_dispatch, p, m.dispatch_, stalls),
-        traverse(m.architecture_.traverse, *m.source_, m.order_, p, m.dispatch_, setup, l1, hit_queue, writer,
-                 m.hits_, m.timing_, m.watchdog_, stalls) {}
+        hmt(m.make_hmt({m.architecture_, p, m.layout_.size_bytes(), m.order_, *m.source_, m.dispatch_,
+                        m.memory_, hit_queue, writer, m.hits_, m.timing_, m.watchdog_, stalls})) {}
 
   HitQueue hit_queue;
   ResultWriter writer;
-  HeightL1 l1;
-  RaySetupUnit setup;
-  TraverseUnit traverse;
+  std::unique_ptr<HmtUnit> hmt;
 };
 
 CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks)
@@ -94,6 +87,10 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
 
 CycleMachine::~CycleMachine() = default;
 
+std::unique_ptr<HmtUnit> CycleMachine::make_hmt(const HmtSite& site) {
+  return std::make_unique<HmtModel>(site);
+}
+
 uint16_t CycleMachine::target_of(uint32_t pixel) const {
   return static_cast<uint16_t>(tile_number(pixel, work_.width, architecture_.ray_dispatch.tile_size) %
                                static_cast<uint32_t>(pipelines_));
@@ -126,12 +123,12 @@ void CycleMachine::ray_arrives(const MachineRay& ray, uint32_t pixel, Cycle cycl
 void CycleMachine::end_of_rays(Cycle cycle) { dispatch_.close(cycle); }
 
 void CycleMachine::hold_hits_until(Cycle cycle) {
-  for (auto& p : pipeline_) p->traverse.hold_hits_until(cycle);
+  for (auto& p : pipeline_) p->hmt->hold_hits_until(cycle);
 }
 
 void CycleMachine::log_completions(std::vector<std::vector<uint32_t>>& rays) {
   rays.resize(pipeline_.size());
-  for (size_t p = 0; p < pipeline_.size(); ++p) pipeline_[p]->traverse.log_completions(&rays[p]);
+  for (size_t p = 0; p < pipeline_.size(); ++p) pipeline_[p]->hmt->log_completions(&rays[p]);
 }
 
 void CycleMachine::advance(Cycle end) {
@@ -141,11 +138,11 @@ void CycleMachine::advance(Cycle end) {
     dispatch_.set_horizon(step_ == kNever ? kNever : now_);
     dispatch_.advance();
     for (auto& p : pipeline_) {
-      p->traverse.advance(now_);
-      if (p->traverse.finished()) {
+      p->hmt->advance(now_);
+      if (p->hmt->finished()) {
         p->writer.finish(dispatch_.last_sent() + architecture_.ray_dispatch.latency_cycles);
       }
-      p->writer.advance(at_once_ && p->traverse.finished() ? kNever : now_);
+      p->writer.advance(at_once_ && p->hmt->finished() ? kNever : now_);
     }
     memory_.serve_until(now_);
   }
@@ -167,34 +164,30 @@ bool CycleMachine::run(const Progress& progress) {
 
 bool CycleMachine::done() const {
   return std::all_of(pipeline_.begin(), pipeline_.end(),
-                     [](const auto& p) { return p->traverse.finished() && p->writer.idle(); });
+                     [](const auto& p) { return p->hmt->finished() && p->writer.idle(); });
 }
 
 bool CycleMachine::starved() const {
   return memory_.in_flight() == 0 && std::all_of(pipeline_.begin(), pipeline_.end(), [](const auto& p) {
-           return p->traverse.starved() && p->writer.quiet();
+           return p->hmt->starved() && p->writer.quiet();
          });
 }
 
 uint64_t CycleMachine::completed() const {
   uint64_t rays = 0;
-  for (auto& p : pipeline_) rays += static_cast<uint64_t>(p->traverse.counts().rays);
+  for (auto& p : pipeline_) rays += static_cast<uint64_t>(p->hmt->completed());
   return rays;
 }
 
 std::string CycleMachine::who_waits() const {
   std::string text;
-  for (auto& p : pipeline_) text += (text.empty() ? "" : "; ") + p->traverse.who_waits();
+  for (auto& p : pipeline_) text += (text.empty() ? "" : "; ") + p->hmt->who_waits();
   return text;
 }
 
 PipelineFill CycleMachine::fill(int pipeline) const {
   const Pipeline& p = *pipeline_[static_cast<size_t>(pipeline)];
-  PipelineFill fill;
-  fill.rays_before_traverse = static_cast<int>(p.setup.queued() + p.setup.waiting());
-  fill.contexts = p.traverse.resident();
-  fill.mshrs = p.l1.mshrs_taken();
-  fill.retries = static_cast<int>(p.l1.retry_fill());
+  PipelineFill fill{p.hmt->fill()};
   fill.hit_queue = static_cast<int>(p.hit_queue.size());
   fill.burst_records = p.writer.filled();
   fill.bursts = p.writer.unacknowledged();
@@ -223,9 +216,9 @@ Outcome CycleMachine::outcome(const Workload& work, std::span<const uint32_t> po
                               bool counters_only, const Dram::Counts* dram, CycleDetail* detail) {
   Cycle cycles = dispatch_.closed() + 1;
   for (auto& p : pipeline_)
-    cycles = std::max({cycles, p->writer.counts().last_acknowledged + 1, p->traverse.cycle()});
+    cycles = std::max({cycles, p->writer.counts().last_acknowledged + 1, p->hmt->cycle()});
   if (work.rays.empty()) cycles = 0;
-  for (auto& p : pipeline_) p->traverse.drain_until(cycles);
+  for (auto& p : pipeline_) p->hmt->drain_until(cycles);
 
   Outcome result;
   result.hits = std::move(hits_);
@@ -253,8 +246,9 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
     auto set = [&](const char* name, const char* statistic, int64_t value) {
       counters.set(name + index + statistic, value);
     };
-    set("ray_setup", "rays", unit.setup.entered());
-    const auto& t = unit.traverse.counts();
+    const HmtUnit::Counts hmt = unit.hmt->counts();
+    set("ray_setup", "rays", hmt.setup_rays);
+    const TraverseUnit::Counts& t = hmt.traverse;
     set("traverse", "cycles", t.total());
     set("traverse", "rays", t.rays);
     set("traverse", "hits", t.hits);
@@ -271,7 +265,7 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
     set("traverse", "kept_steps", t.kept_steps);
     set("traverse", "line_accesses", t.steps - t.kept_steps + t.part_slots);
     set("traverse", "resident_cycles", t.resident_cycles);
-    const HeightL1::Counts& l1 = unit.l1.counts();
+    const HeightL1::Counts& l1 = hmt.height_l1;
     set("height_l1", "accesses", l1.accesses);
     set("height_l1", "hits", l1.hits);
     set("height_l1", "misses", l1.misses);

@@ -11,8 +11,8 @@
 #include "models/heightmap/texel_layout.h"
 #include "models/memory/dram.h"
 #include "models/memory/memory_port.h"
+#include "models/traversal/hmt_unit.h"
 #include "models/traversal/step_source.h"
-#include "models/traversal/traverse_unit.h"
 #include "sim/machine.h"
 
 namespace cuesta {
@@ -35,14 +35,10 @@ Outcome run_cycle_detailed(const Workload& work, const Architecture& architectur
                            const CycleHooks& hooks, CycleDetail* detail);
 
 /// How full a pipeline is at the end of a cycle.
-struct PipelineFill {
-  int rays_before_traverse = 0;  ///< sent by ray_dispatch, not yet in a context
-  int contexts = 0;              ///< rays resident in traverse
-  int mshrs = 0;                 ///< taken
-  int retries = 0;               ///< rays that wait for an MSHR
-  int hit_queue = 0;             ///< records
-  int burst_records = 0;         ///< in result_writer's buffer
-  int bursts = 0;                ///< written, not yet acknowledged
+struct PipelineFill : HmtUnit::Fill {
+  int hit_queue = 0;      ///< records
+  int burst_records = 0;  ///< in result_writer's buffer
+  int bursts = 0;         ///< written, not yet acknowledged
 };
 
 /// The machine: instances and bindings. A host moves it on, a number of cycles at a time.
@@ -113,6 +109,7 @@ class CycleMachine {
 
   CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks,
                OutsideMemory* outside);
+  std::unique_ptr<HmtUnit> make_hmt(const HmtSite& site);
   uint16_t target_of(uint32_t pixel) const;
   std::vector<uint16_t> targets() const;
   Outcome outcome(const Workload& work, std::span<const uint32_t> position, bool finished, bool counters_only,

@@ -4,32 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "models/architecture.h"
-#include "models/common/port_stalls.h"
 #include "models/memory/height_l1.h"
-#include "models/output/hit_queue.h"
-#include "models/output/result_writer.h"
+#include "models/traversal/hmt_site.h"
 #include "models/traversal/ray_setup_unit.h"
-#include "models/traversal/step_source.h"
 
 namespace cuesta {
-
-/// What the machine knows of a ray in time; the value is in its hit record.
-struct RayTiming {
-  Cycle completed = -1;      ///< transfer on the hit stream; -1: not finished
-  uint32_t latency = 0;      ///< dispatch to completion, cycles
-  uint32_t issue_slots = 0;  ///< slots of the traverse pipe that the ray used
-  uint32_t misses = 0;       ///< lines fetched for it: misses that it allocated
-  FetchCounts fetches;       ///< what its steps read
-};
-
-/// When something last moved, for the whole machine.
-struct Watchdog {
-  Cycle limit = kNever;  ///< cycles without a finished step that are too many
-  Cycle last_progress = 0;
-
-  bool expired(Cycle now) const { return now - last_progress > limit; }
-};
 
 /// traverse: one step of one ray per cycle.
 ///
@@ -73,26 +52,24 @@ class TraverseUnit {
     }
   };
 
-  TraverseUnit(const TraverseParameters& parameters, StepSource& source, const std::vector<uint32_t>& order,
-               int pipeline, RayDispatch& dispatch, RaySetupUnit& setup, HeightL1& l1, HitQueue& hit_queue,
-               ResultWriter& writer, std::vector<HitRecord>& hits, std::vector<RayTiming>& timing,
-               Watchdog& watchdog, const PortStalls* stalls)
-      : source_(source),
-        order_(order),
-        pipeline_(pipeline),
-        dispatch_(dispatch),
+  TraverseUnit(const HmtSite& site, RaySetupUnit& setup, HeightL1& l1)
+      : source_(site.source),
+        order_(site.order),
+        pipeline_(site.pipeline),
+        dispatch_(site.dispatch),
         setup_(setup),
         l1_(l1),
-        hit_queue_(hit_queue),
-        writer_(writer),
-        hits_(hits),
-        timing_(timing),
-        watchdog_(watchdog),
-        stalls_(stalls),
-        stages_(parameters.stages),
-        contexts_(static_cast<size_t>(parameters.contexts)),
-        slots_(static_cast<size_t>(parameters.stages), -1) {
-    for (int context = parameters.contexts - 1; context >= 0; --context) free_.push_back(context);
+        hit_queue_(site.hit_queue),
+        writer_(site.writer),
+        hits_(site.hits),
+        timing_(site.timing),
+        watchdog_(site.watchdog),
+        stalls_(site.stalls),
+        stages_(site.architecture.traverse.stages),
+        contexts_(static_cast<size_t>(site.architecture.traverse.contexts)),
+        slots_(static_cast<size_t>(stages_), -1) {
+    for (int context = site.architecture.traverse.contexts - 1; context >= 0; --context)
+      free_.push_back(context);
   }
 
   /// The hit stream is held back until `cycle`, as by a hit_queue that is full.
