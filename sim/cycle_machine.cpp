@@ -29,11 +29,11 @@ int granule_bytes(const Architecture& architecture) {
 }  // namespace
 
 struct CycleMachine::Pipeline {
-  Pipeline(CycleMachine& m, int p, uint64_t write_base, const PortStalls* stalls)
+  Pipeline(CycleMachine& m, int p, uint64_t write_base, const PortStalls* stalls, PortLog* log)
       : hit_queue(m.architecture_.hit_queue.depth),
         writer(m.architecture_.result_writer, write_base, m.pipelines_, p, hit_queue, m.memory_, stalls),
         hmt(m.make_hmt({m.architecture_, p, m.layout_.size_bytes(), m.order_, *m.source_, m.dispatch_,
-                        m.memory_, hit_queue, writer, m.hits_, m.timing_, m.watchdog_, stalls})) {}
+                        m.memory_, hit_queue, writer, m.hits_, m.timing_, m.watchdog_, stalls, log})) {}
 
   HitQueue hit_queue;
   ResultWriter writer;
@@ -43,8 +43,9 @@ struct CycleMachine::Pipeline {
 CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks)
     : CycleMachine(work, architecture, hooks, nullptr) {}
 
-CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, OutsideMemory& memory)
-    : CycleMachine(without_rays(work), architecture, {}, &memory) {}
+CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, OutsideMemory& memory,
+                           const CycleHooks& hooks)
+    : CycleMachine(without_rays(work), architecture, hooks, &memory) {}
 
 CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks,
                            OutsideMemory* outside)
@@ -78,9 +79,12 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
   const uint64_t stripe = Dram(architecture.dram, granule_bytes(architecture)).stripe_bytes();
   const uint64_t write_base = (layout_.size_bytes() + stripe - 1) / stripe * stripe;
   pipeline_.resize(static_cast<size_t>(pipelines_));
+  if (hooks.port_logs != nullptr) hooks.port_logs->resize(pipeline_.size());
   for (int n = 0; n < pipelines_; ++n) {
     const int p = hooks.reverse_construction ? pipelines_ - 1 - n : n;
-    pipeline_[static_cast<size_t>(p)] = std::make_unique<Pipeline>(*this, p, write_base, hooks.stalls);
+    const auto at = static_cast<size_t>(p);
+    PortLog* log = hooks.port_logs == nullptr ? nullptr : &(*hooks.port_logs)[at];
+    pipeline_[at] = std::make_unique<Pipeline>(*this, p, write_base, hooks.stalls, log);
   }
   if (at_once_) memory_.set_writer(&pipeline_[0]->writer);
 }
@@ -246,7 +250,7 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
     auto set = [&](const char* name, const char* statistic, int64_t value) {
       counters.set(name + index + statistic, value);
     };
-    const HmtUnit::Counts hmt = unit.hmt->counts();
+    const HmtUnit::Counts hmt = unit.hmt->counts(cycles);
     set("ray_setup", "rays", hmt.setup_rays);
     const TraverseUnit::Counts& t = hmt.traverse;
     set("traverse", "cycles", t.total());
@@ -295,6 +299,12 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
   counters.set("dram.row_misses", dram->row_misses);
   counters.set("dram.row_conflicts", dram->row_conflicts);
   counters.set("dram.bus_clocks", dram->bus_clocks);
+}
+
+Counters CycleMachine::counters() const {
+  Counters counters;
+  count(counters, now_, hosted_ ? nullptr : &dram_->counts());
+  return counters;
 }
 
 Outcome run_cycle_detailed(const Workload& work, const Architecture& architecture, const Progress& progress,

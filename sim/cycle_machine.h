@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "models/common/port_log.h"
 #include "models/common/port_stalls.h"
 #include "models/dispatch/ray_dispatch.h"
 #include "models/heightmap/texel_layout.h"
@@ -21,7 +22,8 @@ namespace cuesta {
 struct CycleHooks {
   const PortStalls* stalls = nullptr;  ///< back-pressure on the ports
   bool counters_only = false;  ///< no histograms, planes and digests: what a benchmark of the machine times
-  bool reverse_construction = false;  ///< build the pipelines last to first: must change nothing
+  bool reverse_construction = false;          ///< build the pipelines last to first: must change nothing
+  std::vector<PortLog>* port_logs = nullptr;  ///< one per pipeline, resized to that; must outlive the machine
 };
 
 /// Per ray, in the order of the trace.
@@ -53,7 +55,8 @@ class CycleMachine {
   CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks);
   /// No ray yet (`work.rays` is not looked at), memory outside. Rays are taken in the order in which they come,
   /// whatever ray_dispatch.order is.
-  CycleMachine(const Workload& work, const Architecture& architecture, OutsideMemory& memory);
+  CycleMachine(const Workload& work, const Architecture& architecture, OutsideMemory& memory,
+               const CycleHooks& hooks = {});
   ~CycleMachine();
   CycleMachine(const CycleMachine&) = delete;
   CycleMachine& operator=(const CycleMachine&) = delete;
@@ -88,6 +91,9 @@ class CycleMachine {
   uint64_t completed() const;
   /// Each queue's fill and who waits for whom.
   std::string who_waits() const;
+  /// As at the end of the last cycle that `advance` did, but for those that are counted ahead of time or when
+  /// something ends: ray_dispatch.rays, ray_setup.rays, traverse.resident_cycles, height_l1.mshr_cycles.
+  Counters counters() const;
   int pipelines() const { return pipelines_; }
   PipelineFill fill(int pipeline) const;
   const HitRecord& hit(uint32_t ray) const { return hits_[ray]; }

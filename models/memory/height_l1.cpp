@@ -36,6 +36,7 @@ HeightL1::Answer HeightL1::miss(uint32_t line, uint32_t first_way, int context, 
       PortStalls::free_from(stalls_, Port::kMemoryRequest, pipeline_, std::max(cycle, last_leave_ + 1));
   memory_.send({last_leave_, pipeline_, false, slot, ray, line_bytes_,
                 static_cast<uint64_t>(line) << line_shift_, this});
+  if (log_ != nullptr) log_->requests.push_back({last_leave_, slot, uint64_t{line} << line_shift_, ray});
   return Answer::kAllocated;
 }
 

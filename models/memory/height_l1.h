@@ -10,6 +10,7 @@
 #endif
 
 #include "models/architecture.h"
+#include "models/common/port_log.h"
 #include "models/common/port_stalls.h"
 #include "models/memory/memory_port.h"
 
@@ -57,6 +58,9 @@ class HeightL1 final : public MemoryClient {
         free_mshrs_(parameters.mshrs == 64 ? ~uint64_t{0} : (uint64_t{1} << parameters.mshrs) - 1),
         next_waiter_(static_cast<size_t>(contexts), -1),
         seen_((image_bytes >> line_shift_) / 64 + 1, 0) {}
+
+  /// From now on requests are added to `log`.
+  void log_ports(PortLog* log) { log_ = log; }
 
   /// The context's ray asks for a texel of `line` (address / line_bytes) in `cycle`; `ray` owns the miss that it
   /// may cause.
@@ -136,6 +140,7 @@ class HeightL1 final : public MemoryClient {
   int pipeline_;
   MemoryPort& memory_;
   const PortStalls* stalls_;
+  PortLog* log_ = nullptr;
   std::vector<uint32_t> lines_;  ///< sets x ways
   std::vector<Cycle> used_;      ///< 1 + the cycle of the last use; 0: never
   std::vector<Mshr> mshrs_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "models/architecture.h"
+#include "models/common/port_log.h"
 #include "models/common/port_stalls.h"
 #include "models/dispatch/ray_dispatch.h"
 #include "models/memory/memory_port.h"
@@ -45,6 +46,7 @@ struct HmtSite {
   std::vector<RayTiming>& timing;
   Watchdog& watchdog;
   const PortStalls* stalls;  ///< nullptr: none
+  PortLog* log;              ///< gets what passes the ports; nullptr: not asked for
 };
 
 }  // namespace cuesta

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/architecture.h"
+#include "models/common/port_log.h"
 #include "models/common/port_stalls.h"
 #include "models/dispatch/ray_dispatch.h"
 
@@ -35,6 +36,9 @@ class RaySetupUnit {
         stalls_(stalls),
         taken_(static_cast<size_t>(parameters.queue_depth), -1) {}
 
+  /// From now on entering rays are added to `log`.
+  void log_ports(PortLog* log) { log_ = log; }
+
   /// Moves rays from the dispatch queue into set-up as far as is known.
   void advance() {
     auto& queue = source_.queue(pipeline_);
@@ -51,6 +55,7 @@ class RaySetupUnit {
       ready_.push_back({next.ray, next.cycle, enters + parameters_.latency_cycles});
       source_.give_credit(pipeline_, enters + dispatch_.credit_latency_cycles);
       ++entered_;
+      if (log_ != nullptr) log_->entries.push_back({enters, next.ray});
     }
   }
 
@@ -76,6 +81,7 @@ class RaySetupUnit {
   int pipeline_;
   RayDispatch& source_;
   const PortStalls* stalls_;
+  PortLog* log_ = nullptr;
   std::deque<Ready> ready_;  ///< entered, not yet taken
   Cycle last_entered_ = INT32_MIN;
   std::vector<Cycle> taken_;  ///< ring: when ray k - queue_depth was taken; -1 at reset

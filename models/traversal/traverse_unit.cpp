@@ -33,6 +33,7 @@ void TraverseUnit::advance(Cycle limit) {
     else
       bubble(limit);
   }
+  l1_.land_before(cycle_);
 }
 
 /// Issues a ray into the empty slot at select.
@@ -102,6 +103,7 @@ bool TraverseUnit::retire(int context, Cycle limit) {
   counts_.resident_cycles += cycle_ - ray.entered;
   watchdog_.last_progress = cycle_;
   if (completions_ != nullptr) completions_->push_back(ray.trace);
+  if (log_ != nullptr) log_->hits.push_back({cycle_, ray.ray, hits_[ray.trace]});
   free_.push_back(context);
   slots_[static_cast<size_t>(slot_)] = -1;
   --occupied_;
@@ -166,7 +168,7 @@ void TraverseUnit::bubble(Cycle limit) {
   if (!free_.empty()) next = std::min(next, std::max(setup_.next_ready(), cycle_ + 1));
   next = std::max(next, cycle_ + 1);
   if (next >= kNever || (watchdog_.expired(next) && !starved())) give_up();
-  count_bubbles(next - cycle_);
+  add_bubbles(counts_, next - cycle_);
   slot_ = static_cast<int>((slot_ + next - cycle_) % stages_);
   cycle_ = next;
 }
@@ -177,17 +179,17 @@ void TraverseUnit::give_up() const {
                                          std::to_string(watchdog_.last_progress) + ": " + who_waits());
 }
 
-void TraverseUnit::count_bubbles(Cycle cycles) {
+void TraverseUnit::add_bubbles(Counts& counts, Cycle cycles) const {
   if (free_.empty()) {
-    counts_.contexts_full += cycles;
+    counts.contexts_full += cycles;
     return;
   }
   Cycle draining = 0;
   if (setup_.empty() && dispatch_.all_sent()) {
     draining = std::clamp<Cycle>(cycle_ + cycles - 1 - dispatch_.last_sent(), 0, cycles);
   }
-  counts_.drain += draining;
-  counts_.no_ray += cycles - draining;
+  counts.drain += draining;
+  counts.no_ray += cycles - draining;
 }
 
 std::string TraverseUnit::who_waits() const {

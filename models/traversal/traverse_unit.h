@@ -65,6 +65,7 @@ class TraverseUnit {
         timing_(site.timing),
         watchdog_(site.watchdog),
         stalls_(site.stalls),
+        log_(site.log),
         stages_(site.architecture.traverse.stages),
         contexts_(static_cast<size_t>(site.architecture.traverse.contexts)),
         slots_(static_cast<size_t>(stages_), -1) {
@@ -88,10 +89,16 @@ class TraverseUnit {
   int resident() const { return static_cast<int>(contexts_.size() - free_.size()); }
   /// The cycles from where the unit stopped to the machine's last one.
   void drain_until(Cycle end) {
-    count_bubbles(end - cycle_);
+    counts_ = counts_until(end);
     cycle_ = end;
   }
   const Counts& counts() const { return counts_; }
+  /// As they will be when nothing happens until `end`: a unit that is finished stops earlier.
+  Counts counts_until(Cycle end) const {
+    Counts counts = counts_;
+    add_bubbles(counts, end - cycle_);
+    return counts;
+  }
   /// Fill of every queue and who waits for whom, for the watchdog's message.
   std::string who_waits() const;
 
@@ -119,7 +126,7 @@ class TraverseUnit {
   bool retire(int context, Cycle limit);
   bool fill_empty_slot();
   void bubble(Cycle limit);
-  void count_bubbles(Cycle cycles);
+  void add_bubbles(Counts& counts, Cycle cycles) const;
   [[noreturn]] void give_up() const;
   void next_slot() {
     if (++slot_ == stages_) slot_ = 0;
@@ -139,6 +146,7 @@ class TraverseUnit {
   Watchdog& watchdog_;
   const PortStalls* stalls_;
   std::vector<uint32_t>* completions_ = nullptr;
+  PortLog* log_;
   Cycle hits_open_from_ = 0;
   int stages_;
   std::vector<Context> contexts_;
