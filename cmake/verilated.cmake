@@ -9,7 +9,7 @@ function(cuesta_verilated name)
   list(TRANSFORM ARG_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/rtl/")
   list(TRANSFORM ARG_PARAMETERS PREPEND "-G")
   add_library(${name} STATIC)
-  verilate(${name} SOURCES ${ARG_SOURCES} TOP_MODULE ${ARG_TOP} PREFIX ${ARG_PREFIX}
+  verilate(${name} SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${ARG_SOURCES} TOP_MODULE ${ARG_TOP} PREFIX ${ARG_PREFIX}
       INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
       VERILATOR_ARGS -Wall --x-assign unique --x-initial unique ${ARG_PARAMETERS}
       OPT_FAST -O3 -fno-tree-vectorize OPT_GLOBAL -O3)

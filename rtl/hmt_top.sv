@@ -8,39 +8,37 @@
 `include "traversal/traverse_types.svh"
 
 module hmt_top #(
-    parameter int unsigned MaxLevel = 10,       // largest map: 2^MaxLevel texels a side
-    parameter int unsigned HeightBits = 8,
-    parameter int unsigned FractionBits = 8,
-    parameter int unsigned DirectionBits = 32,
-    parameter int unsigned MantissaBits = 12,
-    parameter int unsigned TileBits = 4,
-    parameter int unsigned IdBits = 32,
-    parameter int unsigned SetupLatencyCycles = 24,
-    parameter int unsigned SetupIntervalCycles = 4,
-    parameter int unsigned SetupQueueDepth = 8,
-    parameter int unsigned Stages = 8,
-    parameter int unsigned Contexts = 32,
-    parameter int unsigned SizeBytes = 16384,
-    parameter int unsigned LineBytes = 64,
-    parameter int unsigned Ways = 4,
-    parameter int unsigned Mshrs = 8,
-    parameter int unsigned AddressBits = 32,
+    parameter int MaxLevel = 10,       // largest map: 2^MaxLevel texels a side
+    parameter int HeightBits = 8,
+    parameter int FractionBits = 8,
+    parameter int DirectionBits = 32,
+    parameter int MantissaBits = 12,
+    parameter int TileBits = 4,
+    parameter int IdBits = 32,
+    parameter int SetupLatencyCycles = 24,
+    parameter int SetupIntervalCycles = 4,
+    parameter int SetupQueueDepth = 8,
+    parameter int Stages = 8,
+    parameter int Contexts = 32,
+    parameter int SizeBytes = 16384,
+    parameter int LineBytes = 64,
+    parameter int Ways = 4,
+    parameter int Mshrs = 8,
+    parameter int AddressBits = 32,
     // Widths that follow.
-    parameter int unsigned IndexBits = MaxLevel + TileBits,
-    parameter int unsigned PositionBits = IndexBits + FractionBits + 2,
-    parameter int unsigned PlaneBits = IndexBits + 3,
-    parameter int unsigned TimeBits =
+    parameter int IndexBits = MaxLevel + TileBits,
+    parameter int PositionBits = IndexBits + FractionBits + 2,
+    parameter int PlaneBits = IndexBits + 3,
+    parameter int TimeBits =
         ((IndexBits > HeightBits) ? IndexBits : HeightBits) + FractionBits + MantissaBits,
-    parameter int unsigned MshrBits = (Mshrs > 1) ? $clog2(Mshrs) : 1
+    parameter int MshrBits = (Mshrs > 1) ? $clog2(Mshrs) : 1
 ) (
     input logic clk_i,
     input logic rst_ni,
 
     input  logic        reg_write_i,
     input  logic [ 5:0] reg_address_i,
-    // verilator lint_off UNUSEDSIGNAL
     input  logic [63:0] reg_data_i,
-    // verilator lint_on UNUSEDSIGNAL
     output logic [63:0] reg_data_o,     // of reg_address_i
 
     input  logic                                      ray_valid_i,
@@ -85,10 +83,10 @@ module hmt_top #(
     output logic [     IdBits-1:0] event_id_o
 );
 
-  localparam int unsigned SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1;
-  localparam int unsigned ProductBits = SpaceBits + FractionBits + MantissaBits + 2;
-  localparam int unsigned ShiftBits = $clog2(DirectionBits);
-  localparam int unsigned ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1;
+  localparam int SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1;
+  localparam int ProductBits = SpaceBits + FractionBits + MantissaBits + 2;
+  localparam int ShiftBits = $clog2(DirectionBits);
+  localparam int ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1;
 
   // ---- Configuration registers
   localparam logic [5:0] AtMode = 6'd0;

@@ -10,16 +10,16 @@
 // allocation; its old line can be read until the fill lands.
 
 module height_l1 #(
-    parameter int unsigned SizeBytes = 16384,
-    parameter int unsigned LineBytes = 64,
-    parameter int unsigned Ways = 4,
-    parameter int unsigned Mshrs = 8,
-    parameter int unsigned Contexts = 32,
-    parameter int unsigned AddressBits = 24,
-    parameter int unsigned HeightBits = 8,
+    parameter int SizeBytes = 16384,
+    parameter int LineBytes = 64,
+    parameter int Ways = 4,
+    parameter int Mshrs = 8,
+    parameter int Contexts = 32,
+    parameter int AddressBits = 24,
+    parameter int HeightBits = 8,
     // Widths that follow.
-    parameter int unsigned ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1,
-    parameter int unsigned MshrBits = (Mshrs > 1) ? $clog2(Mshrs) : 1
+    parameter int ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1,
+    parameter int MshrBits = (Mshrs > 1) ? $clog2(Mshrs) : 1
 ) (
     input logic clk_i,
     input logic rst_ni,
@@ -52,17 +52,17 @@ module height_l1 #(
     output logic [MshrBits:0] mshrs_o     // taken
 );
 
-  localparam int unsigned OffsetBits = $clog2(LineBytes);
-  localparam int unsigned Sets = SizeBytes / LineBytes / Ways;
-  localparam int unsigned SetBits = (Sets > 1) ? $clog2(Sets) : 1;
-  localparam int unsigned LineBits = AddressBits - OffsetBits;
-  localparam int unsigned WayBits = (Ways > 1) ? $clog2(Ways) : 1;
-  localparam int unsigned Lines = Sets * Ways;
-  localparam int unsigned LineIndexBits = (Lines > 1) ? $clog2(Lines) : 1;
-  localparam int unsigned WordBytes = 4;
-  localparam int unsigned Words = LineBytes / WordBytes;
-  localparam int unsigned WordBits = OffsetBits - 2;
-  localparam int unsigned TexelBytes = (HeightBits > 8) ? 2 : 1;
+  localparam int OffsetBits = $clog2(LineBytes);
+  localparam int Sets = SizeBytes / LineBytes / Ways;
+  localparam int SetBits = (Sets > 1) ? $clog2(Sets) : 1;
+  localparam int LineBits = AddressBits - OffsetBits;
+  localparam int WayBits = (Ways > 1) ? $clog2(Ways) : 1;
+  localparam int Lines = Sets * Ways;
+  localparam int LineIndexBits = (Lines > 1) ? $clog2(Lines) : 1;
+  localparam int WordBytes = 4;
+  localparam int Words = LineBytes / WordBytes;
+  localparam int WordBits = OffsetBits - 2;
+  localparam int TexelBytes = (HeightBits > 8) ? 2 : 1;
 
   // ---- Tags and ages. A way that was chosen as a victim keeps its old line until the fill lands.
   logic [Lines-1:0] valid_q;

@@ -8,25 +8,25 @@
 `include "traversal/traverse_types.svh"
 
 module ray_setup #(
-    parameter int unsigned MaxLevel = 10,       // n of the largest map
-    parameter int unsigned HeightBits = 8,      // B
-    parameter int unsigned FractionBits = 8,    // f
-    parameter int unsigned DirectionBits = 32,  // D
-    parameter int unsigned MantissaBits = 12,   // M
-    parameter int unsigned TileBits = 4,        // w2
-    parameter int unsigned IdBits = 32,
-    parameter int unsigned LatencyCycles = 24,
-    parameter int unsigned IntervalCycles = 4,
-    parameter int unsigned QueueDepth = 8,
+    parameter int MaxLevel = 10,       // n of the largest map
+    parameter int HeightBits = 8,      // B
+    parameter int FractionBits = 8,    // f
+    parameter int DirectionBits = 32,  // D
+    parameter int MantissaBits = 12,   // M
+    parameter int TileBits = 4,        // w2
+    parameter int IdBits = 32,
+    parameter int LatencyCycles = 24,
+    parameter int IntervalCycles = 4,
+    parameter int QueueDepth = 8,
     // Widths that follow.
-    parameter int unsigned IndexBits = MaxLevel + TileBits,
-    parameter int unsigned PositionBits = IndexBits + FractionBits + 2,
-    parameter int unsigned PlaneBits = IndexBits + 3,
-    parameter int unsigned SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1,
-    parameter int unsigned ProductBits = SpaceBits + FractionBits + MantissaBits + 2,
-    parameter int unsigned TimeBits =
+    parameter int IndexBits = MaxLevel + TileBits,
+    parameter int PositionBits = IndexBits + FractionBits + 2,
+    parameter int PlaneBits = IndexBits + 3,
+    parameter int SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1,
+    parameter int ProductBits = SpaceBits + FractionBits + MantissaBits + 2,
+    parameter int TimeBits =
         ((IndexBits > HeightBits) ? IndexBits : HeightBits) + FractionBits + MantissaBits,
-    parameter int unsigned ShiftBits = $clog2(DirectionBits)
+    parameter int ShiftBits = $clog2(DirectionBits)
 ) (
     input logic clk_i,
     input logic rst_ni,
@@ -78,8 +78,8 @@ module ray_setup #(
     output logic signed [     PlaneBits-1:0] out_node_y_o
 );
 
-  localparam int unsigned IntervalBits = $clog2(IntervalCycles + 1);
-  localparam int unsigned PointerBits = (QueueDepth > 1) ? $clog2(QueueDepth) : 1;
+  localparam int IntervalBits = $clog2(IntervalCycles + 1);
+  localparam int PointerBits = (QueueDepth > 1) ? $clog2(QueueDepth) : 1;
 
   logic [PointerBits-1:0] enter_q, take_q;  // next engine to enter, next to be taken
   logic [PointerBits:0] fill_q;

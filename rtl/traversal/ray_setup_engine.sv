@@ -10,23 +10,23 @@
 `include "traversal/traverse_types.svh"
 
 module ray_setup_engine #(
-    parameter int unsigned MaxLevel = 10,       // n of the largest map
-    parameter int unsigned HeightBits = 8,      // B
-    parameter int unsigned FractionBits = 8,    // f
-    parameter int unsigned DirectionBits = 32,  // D
-    parameter int unsigned MantissaBits = 12,   // M
-    parameter int unsigned TileBits = 4,        // w2
-    parameter int unsigned IdBits = 32,
-    parameter int unsigned LatencyCycles = 24,
+    parameter int MaxLevel = 10,       // n of the largest map
+    parameter int HeightBits = 8,      // B
+    parameter int FractionBits = 8,    // f
+    parameter int DirectionBits = 32,  // D
+    parameter int MantissaBits = 12,   // M
+    parameter int TileBits = 4,        // w2
+    parameter int IdBits = 32,
+    parameter int LatencyCycles = 24,
     // Widths that follow.
-    parameter int unsigned IndexBits = MaxLevel + TileBits,
-    parameter int unsigned PositionBits = IndexBits + FractionBits + 2,
-    parameter int unsigned PlaneBits = IndexBits + 3,
-    parameter int unsigned SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1,
-    parameter int unsigned ProductBits = SpaceBits + FractionBits + MantissaBits + 2,
-    parameter int unsigned TimeBits =
+    parameter int IndexBits = MaxLevel + TileBits,
+    parameter int PositionBits = IndexBits + FractionBits + 2,
+    parameter int PlaneBits = IndexBits + 3,
+    parameter int SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1,
+    parameter int ProductBits = SpaceBits + FractionBits + MantissaBits + 2,
+    parameter int TimeBits =
         ((IndexBits > HeightBits) ? IndexBits : HeightBits) + FractionBits + MantissaBits,
-    parameter int unsigned ShiftBits = $clog2(DirectionBits)
+    parameter int ShiftBits = $clog2(DirectionBits)
 ) (
     input logic clk_i,
     input logic rst_ni,
@@ -77,23 +77,23 @@ module ray_setup_engine #(
     output logic signed [     PlaneBits-1:0] out_node_y_o
 );
 
-  localparam int unsigned DivCycles = (MantissaBits + 1) / 2;
-  localparam int unsigned ExtraBits = 2 * DivCycles - MantissaBits;
-  localparam int unsigned CellCycles = (MaxLevel + 1) / 2;
-  localparam int unsigned SpanCycles = $clog2(MaxLevel + 1);
-  localparam int unsigned AtDiv = 2;
-  localparam int unsigned AtOffset = AtDiv + DivCycles;
-  localparam int unsigned AtClip = AtOffset + 1;
-  localparam int unsigned AtTest = AtClip + 1;
-  localparam int unsigned AtCell = AtTest + 1;
-  localparam int unsigned AtSpan = AtCell + CellCycles;
-  localparam int unsigned NeedsCycles = AtSpan + SpanCycles;
-  localparam int unsigned AgeBits = $clog2(LatencyCycles + 1);
-  localparam int unsigned ZBits = HeightBits + FractionBits;
-  localparam int unsigned DivBits = DirectionBits + 2;
-  localparam int unsigned QuotientBits = 2 * DivCycles + 2;
-  localparam int unsigned DivideBits = QuotientBits + DivBits;
-  localparam int unsigned SearchBits = ProductBits + PlaneBits;
+  localparam int DivCycles = (MantissaBits + 1) / 2;
+  localparam int ExtraBits = 2 * DivCycles - MantissaBits;
+  localparam int CellCycles = (MaxLevel + 1) / 2;
+  localparam int SpanCycles = $clog2(MaxLevel + 1);
+  localparam int AtDiv = 2;
+  localparam int AtOffset = AtDiv + DivCycles;
+  localparam int AtClip = AtOffset + 1;
+  localparam int AtTest = AtClip + 1;
+  localparam int AtCell = AtTest + 1;
+  localparam int AtSpan = AtCell + CellCycles;
+  localparam int NeedsCycles = AtSpan + SpanCycles;
+  localparam int AgeBits = $clog2(LatencyCycles + 1);
+  localparam int ZBits = HeightBits + FractionBits;
+  localparam int DivBits = DirectionBits + 2;
+  localparam int QuotientBits = 2 * DivCycles + 2;
+  localparam int DivideBits = QuotientBits + DivBits;
+  localparam int SearchBits = ProductBits + PlaneBits;
 
   logic                               busy_q;
   logic        [         AgeBits-1:0] age_q;  // cycles since the ray entered, up to LatencyCycles

@@ -12,25 +12,25 @@
 `include "traversal/traverse_types.svh"
 
 module traverse #(
-    parameter int unsigned MaxLevel = 10,
-    parameter int unsigned HeightBits = 8,
-    parameter int unsigned FractionBits = 8,
-    parameter int unsigned DirectionBits = 32,
-    parameter int unsigned MantissaBits = 12,
-    parameter int unsigned TileBits = 4,
-    parameter int unsigned IdBits = 32,
-    parameter int unsigned Stages = 8,
-    parameter int unsigned Contexts = 32,
-    parameter int unsigned AddressBits = 24,
+    parameter int MaxLevel = 10,
+    parameter int HeightBits = 8,
+    parameter int FractionBits = 8,
+    parameter int DirectionBits = 32,
+    parameter int MantissaBits = 12,
+    parameter int TileBits = 4,
+    parameter int IdBits = 32,
+    parameter int Stages = 8,
+    parameter int Contexts = 32,
+    parameter int AddressBits = 24,
     // Widths that follow.
-    parameter int unsigned IndexBits = MaxLevel + TileBits,
-    parameter int unsigned PlaneBits = IndexBits + 3,
-    parameter int unsigned SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1,
-    parameter int unsigned ProductBits = SpaceBits + FractionBits + MantissaBits + 2,
-    parameter int unsigned TimeBits =
+    parameter int IndexBits = MaxLevel + TileBits,
+    parameter int PlaneBits = IndexBits + 3,
+    parameter int SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1,
+    parameter int ProductBits = SpaceBits + FractionBits + MantissaBits + 2,
+    parameter int TimeBits =
         ((IndexBits > HeightBits) ? IndexBits : HeightBits) + FractionBits + MantissaBits,
-    parameter int unsigned ShiftBits = $clog2(DirectionBits),
-    parameter int unsigned ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1
+    parameter int ShiftBits = $clog2(DirectionBits),
+    parameter int ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1
 ) (
     input logic clk_i,
     input logic rst_ni,
@@ -103,8 +103,8 @@ module traverse #(
     output logic [ContextBits:0]   resident_o
 );
 
-  localparam int unsigned WriteBack = 6;
-  localparam int unsigned TexelShift = (HeightBits > 8) ? 1 : 0;
+  localparam int WriteBack = 6;
+  localparam int TexelShift = (HeightBits > 8) ? 1 : 0;
 
 `include "traversal/line_functions.svh"
 

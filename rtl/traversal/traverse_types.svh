@@ -3,8 +3,6 @@
 `ifndef HMT_TRAVERSE_TYPES_SVH
 `define HMT_TRAVERSE_TYPES_SVH
 
-// verilator lint_off UNUSEDPARAM
-
 localparam logic [1:0] HmtStartRoot = 2'd0;
 localparam logic [1:0] HmtStartLeaf = 2'd1;
 localparam logic [1:0] HmtStartSpan = 2'd2;
@@ -33,8 +31,6 @@ localparam logic [2:0] HmtSlotRefused = 3'd4;  // ... and found no free MSHR
 localparam logic [2:0] HmtSlotDead = 3'd5;     // a ray dead at set-up
 localparam logic [2:0] HmtSlotStall = 3'd6;    // the pipe stood still
 
-localparam int unsigned HmtLevelBits = 4;  // of a level: root level at most 14
-
-// verilator lint_on UNUSEDPARAM
+localparam int HmtLevelBits = 4;  // of a level: root level at most 14
 
 `endif
