@@ -57,10 +57,19 @@ inline int64_t sign_extended(uint64_t value, int bits) {
   return static_cast<int64_t>(value << (64 - bits)) >> (64 - bits);
 }
 
+/// Of hardware compiled with --x-initial unique, before it is constructed.
+inline VerilatedContext& with_random_start(VerilatedContext& context, int reset_seed) {
+  context.randReset(reset_seed == 0 ? 0 : 2);
+  if (reset_seed != 0) context.randSeed(reset_seed);
+  return context;
+}
+
 template <class V>
 class HmtTop final : public HmtTopPort {
  public:
-  explicit HmtTop(const HmtTopSet& set) : set_(set), rtl_(&context_) {
+  /// `reset_seed`: what no reset touches holds random bits at the start, others for each seed; 0: zeros.
+  explicit HmtTop(const HmtTopSet& set, int reset_seed = 0)
+      : set_(set), rtl_(&with_random_start(context_, reset_seed)) {
     const int index_bits = set.max_level + set.tile_bits;
     position_mask_ = (uint64_t{1} << (index_bits + set.fraction_bits + 2)) - 1;
     direction_mask_ = (uint64_t{1} << (set.direction_bits + 1)) - 1;

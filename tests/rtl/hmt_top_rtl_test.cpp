@@ -127,12 +127,14 @@ constexpr HmtTopSet kTiny{8, 8, 8, 32, 12, 4, 24, 8, 4, 8, 8, 2048, 32, 2, 2};
 template <class V>
 void compare(const HmtTopSet& set, int64_t rays) {
   if (const char* told = std::getenv("CUESTA_RTL_RAYS")) rays = std::stoll(told);
-  const auto make = [&]() -> std::unique_ptr<HmtTopPort> { return std::make_unique<HmtTop<V>>(set); };
   int64_t compared = 0, machines = 0;
   for (uint64_t seed = 1; compared < rays; ++seed, ++machines) {
+    const auto make = [&]() -> std::unique_ptr<HmtTopPort> {
+      return std::make_unique<HmtTop<V>>(set, static_cast<int>(seed));
+    };
     const RandomMachine machine = machine_for(set, seed);
     const std::string found = difference(set, make, machine);
-    if (!found.empty()) FAIL() << found;
+    if (!found.empty()) FAIL() << found << "\nregisters without reset start from random bits, seed " << seed;
     compared += static_cast<int64_t>(machine.rays.size());
   }
   std::cout << compared << " rays on " << machines << " machines, no difference\n";

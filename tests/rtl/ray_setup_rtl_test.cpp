@@ -11,6 +11,7 @@
 #include "models/common/random.h"
 #include "models/oracle/random_cases.h"
 #include "models/traversal/traversal.h"
+#include "tests/rtl/hmt_top_port.h"
 #include "tests/twins/ray_setup_twin.h"
 
 // rtl/traversal/ray_setup.sv against `start` of models/traversal/traversal.h for the value and against the ticking
@@ -46,8 +47,10 @@ RandomMap square_map(Random& random) {
 }
 
 struct Bench {
+  explicit Bench(int reset_seed) : rtl(&rtl::with_random_start(context, reset_seed)) {}
+
   VerilatedContext context;
-  Vray_setup rtl{&context};
+  Vray_setup rtl;
 
   void reset() {
     rtl.rst_ni = 0;
@@ -145,7 +148,7 @@ std::string run(uint64_t seed, int rays) {
   }
   RaySetupParameters parameters{kLatency, kInterval, kQueueDepth};
   twins::RaySetupTwin twin(parameters, 0, 0, stalls);
-  Bench bench;
+  Bench bench(static_cast<int>(seed));  // registers without reset start from random bits
   bench.configure(walk);
   bench.reset();
   for (size_t k = 0; k < all.size(); ++k) {  // all wait in front
