@@ -218,10 +218,7 @@ Outcome CycleMachine::outcome(const Workload& work, std::span<const uint32_t> po
 /// hits_ and timing_ are in the order of `work`, costs_ in the machine's order.
 Outcome CycleMachine::outcome(const Workload& work, std::span<const uint32_t> position, bool finished,
                               bool counters_only, const Dram::Counts* dram, CycleDetail* detail) {
-  Cycle cycles = dispatch_.closed() + 1;
-  for (auto& p : pipeline_)
-    cycles = std::max({cycles, p->writer.counts().last_acknowledged + 1, p->hmt->cycle()});
-  if (work.rays.empty()) cycles = 0;
+  const Cycle cycles = work.rays.empty() ? 0 : end_cycle();
   for (auto& p : pipeline_) p->hmt->drain_until(cycles);
 
   Outcome result;
@@ -299,6 +296,13 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
   counters.set("dram.row_misses", dram->row_misses);
   counters.set("dram.row_conflicts", dram->row_conflicts);
   counters.set("dram.bus_clocks", dram->bus_clocks);
+}
+
+Cycle CycleMachine::end_cycle() const {
+  Cycle cycles = dispatch_.closed() + 1;
+  for (auto& p : pipeline_)
+    cycles = std::max({cycles, p->writer.counts().last_acknowledged + 1, p->hmt->cycle()});
+  return cycles;
 }
 
 Counters CycleMachine::counters() const {

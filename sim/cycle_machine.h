@@ -94,6 +94,8 @@ class CycleMachine {
   /// As at the end of the last cycle that `advance` did, but for those that are counted ahead of time or when
   /// something ends: ray_dispatch.rays, ray_setup.rays, traverse.resident_cycles, height_l1.mshr_cycles.
   Counters counters() const;
+  /// Of a machine that is done: how many cycles it took.
+  Cycle cycles() const { return work_.rays.empty() ? 0 : end_cycle(); }
   int pipelines() const { return pipelines_; }
   PipelineFill fill(int pipeline) const;
   const HitRecord& hit(uint32_t ray) const { return hits_[ray]; }
@@ -116,6 +118,7 @@ class CycleMachine {
   CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks,
                OutsideMemory* outside);
   std::unique_ptr<HmtUnit> make_hmt(const HmtSite& site);
+  Cycle end_cycle() const;
   uint16_t target_of(uint32_t pixel) const;
   std::vector<uint16_t> targets() const;
   Outcome outcome(const Workload& work, std::span<const uint32_t> position, bool finished, bool counters_only,
