@@ -91,8 +91,8 @@ class CycleMachine {
   uint64_t completed() const;
   /// Each queue's fill and who waits for whom.
   std::string who_waits() const;
-  /// As at the end of the last cycle that `advance` did, but for those that are counted ahead of time or when
-  /// something ends: ray_dispatch.rays, ray_setup.rays, traverse.resident_cycles, height_l1.mshr_cycles.
+  /// As at the end of the last cycle that `advance` did, but for those that are counted ahead of time:
+  /// ray_dispatch.rays, ray_setup.rays.
   Counters counters() const;
   /// Of a machine that is done: how many cycles it took.
   Cycle cycles() const { return work_.rays.empty() ? 0 : end_cycle(); }

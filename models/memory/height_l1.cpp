@@ -60,6 +60,14 @@ void HeightL1::respond(int slot, Cycle response) {
   next_landing_ = std::min(next_landing_, lands);
 }
 
+HeightL1::Counts HeightL1::counts_until(Cycle end) const {
+  Counts counts = counts_;
+  for (size_t slot = 0; slot < mshrs_.size(); ++slot) {
+    if ((free_mshrs_ >> slot & 1) == 0) counts.mshr_cycles += end - 1 - mshrs_[slot].allocated;
+  }
+  return counts;
+}
+
 void HeightL1::land_one() {
   int slot = 0;
   for (uint64_t bits = pending_; bits != 0; bits &= bits - 1) {

@@ -99,6 +99,8 @@ class HeightL1 final : public MemoryClient {
   Cycle earliest(Cycle response) const override;
 
   const Counts& counts() const { return counts_; }
+  /// At the end of cycle `end` - 1, with the cycles so far of MSHRs that are taken.
+  Counts counts_until(Cycle end) const;
   int mshrs_taken() const { return static_cast<int>(mshrs_.size()) - std::popcount(free_mshrs_); }
   size_t retry_fill() const { return retry_.size(); }
 

@@ -48,9 +48,8 @@ class HmtUnit {
 
   /// Rays that have left by the hit stream.
   virtual int64_t completed() const = 0;
-  /// As at the end of cycle `end` - 1, which is not below cycle(): a unit that is finished stops earlier. In the
-  /// middle of a run without resident_cycles and mshr_cycles, which count what has ended, and setup_rays, which may
-  /// be ahead.
+  /// As at the end of cycle `end` - 1, which is not below cycle() - 1: a unit that is finished stops earlier. In the
+  /// middle of a run setup_rays may be ahead.
   virtual Counts counts(Cycle end) = 0;
   virtual Fill fill() const = 0;
   /// Fill of every queue and who waits for whom, for the watchdog's message.
@@ -78,7 +77,9 @@ class HmtModel final : public HmtUnit {
   void hold_hits_until(Cycle cycle) override { traverse_.hold_hits_until(cycle); }
   void log_completions(std::vector<uint32_t>* rays) override { traverse_.log_completions(rays); }
   int64_t completed() const override { return traverse_.counts().rays; }
-  Counts counts(Cycle end) override { return {setup_.entered(), traverse_.counts_until(end), l1_.counts()}; }
+  Counts counts(Cycle end) override {
+    return {setup_.entered(), traverse_.counts_until(end), l1_.counts_until(end)};
+  }
   Fill fill() const override {
     return {static_cast<int>(setup_.queued() + setup_.waiting()), traverse_.resident(), l1_.mshrs_taken(),
             static_cast<int>(l1_.retry_fill())};

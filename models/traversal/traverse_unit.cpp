@@ -192,6 +192,17 @@ void TraverseUnit::add_bubbles(Counts& counts, Cycle cycles) const {
   counts.no_ray += cycles - draining;
 }
 
+TraverseUnit::Counts TraverseUnit::counts_until(Cycle end) const {
+  Counts counts = counts_;
+  add_bubbles(counts, end - cycle_);
+  std::vector<bool> resident(contexts_.size(), true);
+  for (const int context : free_) resident[static_cast<size_t>(context)] = false;
+  for (size_t context = 0; context < contexts_.size(); ++context) {
+    if (resident[context]) counts.resident_cycles += end - 1 - contexts_[context].entered;
+  }
+  return counts;
+}
+
 std::string TraverseUnit::who_waits() const {
   auto n = [](auto value) { return std::to_string(value); };
   return "traverse[" + n(pipeline_) + "] holds " + n(resident()) + " of " + n(contexts_.size()) + " rays, " +

@@ -89,16 +89,13 @@ class TraverseUnit {
   int resident() const { return static_cast<int>(contexts_.size() - free_.size()); }
   /// The cycles from where the unit stopped to the machine's last one.
   void drain_until(Cycle end) {
-    counts_ = counts_until(end);
+    add_bubbles(counts_, end - cycle_);
     cycle_ = end;
   }
   const Counts& counts() const { return counts_; }
-  /// As they will be when nothing happens until `end`: a unit that is finished stops earlier.
-  Counts counts_until(Cycle end) const {
-    Counts counts = counts_;
-    add_bubbles(counts, end - cycle_);
-    return counts;
-  }
+  /// At the end of cycle `end` - 1, with the cycles so far of rays that are resident; a unit that is finished stops
+  /// earlier.
+  Counts counts_until(Cycle end) const;
   /// Fill of every queue and who waits for whom, for the watchdog's message.
   std::string who_waits() const;
 

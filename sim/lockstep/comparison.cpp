@@ -22,10 +22,9 @@ std::string named(const std::array<std::string_view, N>& names, uint8_t value) {
   return fmt::format("{} ({:#x})", value < N ? names[value] : "unknown", value);
 }
 
-/// Counted ahead of time, or only when something ends: compared at the end.
+/// Counted ahead of time: compared at the end.
 bool known_at_the_end_only(const std::string& path) {
-  return path == "ray_dispatch.rays" || path.starts_with("ray_setup[") ||
-         path.ends_with("].resident_cycles") || path.ends_with("].mshr_cycles");
+  return path == "ray_dispatch.rays" || path.starts_with("ray_setup[");
 }
 
 /// Goes on while both logs have the same entry of a cycle below `end`; true where one then has another one.
@@ -185,7 +184,7 @@ void Comparison::compare_fills(int pipeline, Cycle end) {
   auto fill = [&](const char* name, const char* field, int left, int right) {
     if (left != right) compare(unit(name, static_cast<size_t>(pipeline)) + field, end - 1, left, right);
   };
-  fill("ray_setup", "rays_before_traverse", a.rays_before_traverse, b.rays_before_traverse);
+  if (by_cycle_) fill("ray_setup", "rays_before_traverse", a.rays_before_traverse, b.rays_before_traverse);
   fill("traverse", "contexts", a.contexts, b.contexts);
   fill("height_l1", "mshrs", a.mshrs, b.mshrs);
   fill("height_l1", "retries", a.retries, b.retries);

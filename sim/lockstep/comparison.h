@@ -13,6 +13,10 @@ class Comparison {
  public:
   Comparison(LockstepRig& left, LockstepRig& right);
 
+  /// From now on the rigs go on cycle by cycle. Until then the queue in front of ray_setup is left out: a machine
+  /// fills it when it looks at it.
+  void cycle_by_cycle() { by_cycle_ = true; }
+
   /// Everything that differs up to `end`, the cycle at which both rigs stand: ports since the last call, counters
   /// and fills as they are now. Sorted by cause. Once something differs the comparison is over.
   std::vector<Difference> until(Cycle end);
@@ -45,6 +49,7 @@ class Comparison {
 
   LockstepRig& left_;
   LockstepRig& right_;
+  bool by_cycle_ = false;
   std::vector<Place> places_;
   uint64_t requests_ = 0;
   std::vector<Difference> differences_;

@@ -29,9 +29,11 @@ class Pair {
     comparison_.emplace(*left_, *right_);
   }
 
-  void step_by(Cycle cycles) {
-    left_->step_by(cycles);
-    right_->step_by(cycles);
+  /// From here on; everything up to here has been compared.
+  void cycle_by_cycle() {
+    left_->step_by(1);
+    right_->step_by(1);
+    comparison_->cycle_by_cycle();
   }
   std::vector<Difference> advance(Cycle end) {
     left_->advance(end);
@@ -56,7 +58,7 @@ std::vector<Difference> first_differences(const LockstepCase& one, const Lockste
                                           const LockstepSide& right, Cycle from, Cycle to) {
   Pair pair(one, left, right, kBlock);
   for (Cycle end = kBlock; end <= from; end += kBlock) pair.advance(end);
-  pair.step_by(1);
+  pair.cycle_by_cycle();
   for (Cycle end = from + 1; end <= to; ++end) {
     std::vector<Difference> found = pair.advance(end);
     if (!found.empty()) return found;

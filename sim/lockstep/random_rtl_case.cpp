@@ -23,7 +23,8 @@ RandomMap random_square_map(Random& random, const RtlStructure& structure,
   RandomMap map;
   map.kind = "square";
   const int level = random_level(random, structure.max_level), side = 1 << level;
-  map.shape = {side, side, level, static_cast<int>(random.between(1, structure.height_bits)),
+  map.shape = {side, side, level,
+               static_cast<int>(random.between(structure.height_bits > 8 ? 9 : 1, structure.height_bits)),
                random.chance(0.5) ? AddressMode::kWrap : AddressMode::kBorder};
   map.format = number_format(traverse, map.shape);
   map.grid = {side, side, map.shape.bits, {}};

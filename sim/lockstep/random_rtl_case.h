@@ -10,7 +10,7 @@ namespace cuesta {
 struct RtlStructure {
   Architecture architecture;  ///< ray_setup, traverse and height_l1 count
   int max_level = 10;         ///< maps of up to 2^max_level texels on a side
-  int height_bits = 8;
+  int height_bits = 8;        ///< heights of up to 8 bits, or of 9 to so many
   bool setup_inside =
       true;  ///< the port between ray_setup and traverse is inside the hardware: it knows no stalls
 };

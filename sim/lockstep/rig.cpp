@@ -49,8 +49,7 @@ bool LockstepWork::serves(const LockstepCase& one, const LockstepMachine& machin
 
 LockstepRig::LockstepRig(const LockstepCase& one, const LockstepMachine& machine,
                          std::shared_ptr<const LockstepWork> work)
-    : case_(one),
-      settings_(machine),
+    : settings_(machine),
       work_(std::move(work)),
       layout_(machine.architecture.texels.layout, *work_->pyramid) {
   CycleHooks hooks;
@@ -80,7 +79,7 @@ void LockstepRig::advance(Cycle end) {
       now_ = next;
     }
   } catch (const Error& error) {
-    if (error.code() != ExitCode::kNoProgress) throw;
+    if (error.code() != ExitCode::kNoProgress && error.code() != ExitCode::kMismatch) throw;
     stuck_ = error.what();
   }
 }

@@ -28,17 +28,16 @@ struct LockstepWork {
 /// One side of a comparison: its machine from reset on, with what it meets.
 class LockstepRig {
  public:
-  /// The case must outlive the rig.
   LockstepRig(const LockstepCase& one, const LockstepMachine& machine,
               std::shared_ptr<const LockstepWork> work);
 
-  /// Everything in cycles below `end`; a machine that makes no progress is `stuck`.
+  /// Everything in cycles below `end`; a machine that makes no progress, or that does what no machine may, is `stuck`.
   void advance(Cycle end);
   /// From here on by so many cycles at most, so that fills are exact after each.
   void step_by(Cycle cycles) { machine_->step_by(cycles); }
 
   bool done() const { return machine_->done(); }
-  /// What the watchdog said; empty: it did not.
+  /// What was said of it; empty: it goes on.
   const std::string& stuck() const { return stuck_; }
   const CycleMachine& machine() const { return *machine_; }
   std::vector<PortLog>& logs() { return logs_; }
@@ -50,7 +49,6 @@ class LockstepRig {
  private:
   void feed(Cycle end);
 
-  const LockstepCase& case_;
   LockstepMachine settings_;
   std::shared_ptr<const LockstepWork> work_;
   TexelLayout layout_;

@@ -33,9 +33,7 @@ struct Bench {
   std::map<std::string, int64_t> counters() const {
     std::map<std::string, int64_t> all = machine.counters().all();
     std::erase_if(all, [](const auto& counter) {
-      const std::string& path = counter.first;
-      return path == "ray_dispatch.rays" || path.starts_with("ray_setup[") ||
-             path.ends_with("].mshr_cycles") || path.ends_with("].resident_cycles");
+      return counter.first == "ray_dispatch.rays" || counter.first.starts_with("ray_setup[");
     });
     return all;
   }
