@@ -197,7 +197,7 @@ module hmt_top #(
   logic [AddressBits-1:0] lookup_address;
   logic [ContextBits-1:0] lookup_context, replay_context, retry_context;
   logic [HeightBits-1:0] texel;
-  logic slot_step, slot_dead, stalled, bubble, full;
+  logic slot_step, slot_dead, stalled, full;
   logic [ContextBits:0] resident;
 
   traverse #(
@@ -273,7 +273,6 @@ module hmt_top #(
       .slot_step_o(slot_step),
       .slot_dead_o(slot_dead),
       .stalled_o(stalled),
-      .bubble_o(bubble),
       .full_o(full),
       .resident_o(resident)
   );
@@ -323,7 +322,7 @@ module hmt_top #(
   assign axi_ar_burst_o = 2'b01;
   assign axi_r_ready_o = 1'b1;
 
-  assign event_replay_o = replay_take;
+  assign event_replay_o = enable & replay_take;
   always_comb begin
     event_slot_o = HmtSlotBubble;
     if (slot_step) event_slot_o = HmtSlotStep;
@@ -334,22 +333,16 @@ module hmt_top #(
     if (stalled) event_slot_o = HmtSlotStall;
   end
 
-  // ---- Counters, with the model's names
-  wire hit_leaves = hit_valid_o & hit_ready_i;
-  wire drained = ray_none_i & setup_empty;
+  // ---- Counters, with the model's names. Each cycle counts in one of them by what it was; sums are read as such.
   logic [63:0] ray_setup_rays_q;
   logic [63:0] traverse_rays_q;
   logic [63:0] traverse_hits_q;
-  logic [63:0] traverse_slots_step_q;
-  logic [63:0] traverse_slots_miss_q;
-  logic [63:0] traverse_slots_refused_q;
   logic [63:0] traverse_slots_dead_q;
   logic [63:0] traverse_bubble_contexts_full_q;
   logic [63:0] traverse_bubble_no_ray_q;
   logic [63:0] traverse_bubble_drain_q;
   logic [63:0] traverse_stall_hit_queue_q;
   logic [63:0] traverse_replays_q;
-  logic [63:0] height_l1_accesses_q;
   logic [63:0] height_l1_hits_q;
   logic [63:0] height_l1_misses_q;
   logic [63:0] height_l1_merges_q;
@@ -359,21 +352,18 @@ module hmt_top #(
   logic [63:0] traverse_resident_cycles_q;
   logic [63:0] height_l1_mshr_cycles_q;
 
+  wire hit_leaves = hit_valid_o & hit_ready_i;
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
       ray_setup_rays_q <= '0;
       traverse_rays_q <= '0;
       traverse_hits_q <= '0;
-      traverse_slots_step_q <= '0;
-      traverse_slots_miss_q <= '0;
-      traverse_slots_refused_q <= '0;
       traverse_slots_dead_q <= '0;
       traverse_bubble_contexts_full_q <= '0;
       traverse_bubble_no_ray_q <= '0;
       traverse_bubble_drain_q <= '0;
       traverse_stall_hit_queue_q <= '0;
       traverse_replays_q <= '0;
-      height_l1_accesses_q <= '0;
       height_l1_hits_q <= '0;
       height_l1_misses_q <= '0;
       height_l1_merges_q <= '0;
@@ -383,23 +373,25 @@ module hmt_top #(
       traverse_resident_cycles_q <= '0;
       height_l1_mshr_cycles_q <= '0;
     end else begin
+      case (event_slot_o)
+        HmtSlotStep: begin
+          if (replay_take) traverse_replays_q <= traverse_replays_q + 64'd1;
+          else height_l1_hits_q <= height_l1_hits_q + 64'd1;
+        end
+        HmtSlotMiss: height_l1_misses_q <= height_l1_misses_q + 64'd1;
+        HmtSlotMerge: height_l1_merges_q <= height_l1_merges_q + 64'd1;
+        HmtSlotRefused: height_l1_refused_q <= height_l1_refused_q + 64'd1;
+        HmtSlotDead: traverse_slots_dead_q <= traverse_slots_dead_q + 64'd1;
+        HmtSlotStall: traverse_stall_hit_queue_q <= traverse_stall_hit_queue_q + 64'd1;
+        default: begin
+          if (full) traverse_bubble_contexts_full_q <= traverse_bubble_contexts_full_q + 64'd1;
+          else if (ray_none_i & setup_empty) traverse_bubble_drain_q <= traverse_bubble_drain_q + 64'd1;
+          else traverse_bubble_no_ray_q <= traverse_bubble_no_ray_q + 64'd1;
+        end
+      endcase
       if (ray_valid_i & ray_ready_o) ray_setup_rays_q <= ray_setup_rays_q + 64'd1;
       if (hit_leaves) traverse_rays_q <= traverse_rays_q + 64'd1;
       if (hit_leaves & hit_status_o) traverse_hits_q <= traverse_hits_q + 64'd1;
-      if (slot_step) traverse_slots_step_q <= traverse_slots_step_q + 64'd1;
-      if (miss | merge) traverse_slots_miss_q <= traverse_slots_miss_q + 64'd1;
-      if (refuse) traverse_slots_refused_q <= traverse_slots_refused_q + 64'd1;
-      if (slot_dead) traverse_slots_dead_q <= traverse_slots_dead_q + 64'd1;
-      if (bubble & full) traverse_bubble_contexts_full_q <= traverse_bubble_contexts_full_q + 64'd1;
-      if (bubble & ~full & ~drained) traverse_bubble_no_ray_q <= traverse_bubble_no_ray_q + 64'd1;
-      if (bubble & ~full & drained) traverse_bubble_drain_q <= traverse_bubble_drain_q + 64'd1;
-      if (stalled) traverse_stall_hit_queue_q <= traverse_stall_hit_queue_q + 64'd1;
-      if (replay_take) traverse_replays_q <= traverse_replays_q + 64'd1;
-      if (lookup) height_l1_accesses_q <= height_l1_accesses_q + 64'd1;
-      if (lookup & lookup_hit) height_l1_hits_q <= height_l1_hits_q + 64'd1;
-      if (miss) height_l1_misses_q <= height_l1_misses_q + 64'd1;
-      if (merge) height_l1_merges_q <= height_l1_merges_q + 64'd1;
-      if (refuse) height_l1_refused_q <= height_l1_refused_q + 64'd1;
       if (axi_r_valid_i) height_l1_fills_q <= height_l1_fills_q + 64'd1;
       if (evict) height_l1_evictions_q <= height_l1_evictions_q + 64'd1;
       traverse_resident_cycles_q <= traverse_resident_cycles_q + 64'(resident);
@@ -418,16 +410,16 @@ module hmt_top #(
       6'd32: reg_data_o = ray_setup_rays_q;
       6'd33: reg_data_o = traverse_rays_q;
       6'd34: reg_data_o = traverse_hits_q;
-      6'd35: reg_data_o = traverse_slots_step_q;
-      6'd36: reg_data_o = traverse_slots_miss_q;
-      6'd37: reg_data_o = traverse_slots_refused_q;
+      6'd35: reg_data_o = height_l1_hits_q + traverse_replays_q;  // traverse_slots_step
+      6'd36: reg_data_o = height_l1_misses_q + height_l1_merges_q;  // traverse_slots_miss
+      6'd37: reg_data_o = height_l1_refused_q;  // traverse_slots_refused
       6'd38: reg_data_o = traverse_slots_dead_q;
       6'd39: reg_data_o = traverse_bubble_contexts_full_q;
       6'd40: reg_data_o = traverse_bubble_no_ray_q;
       6'd41: reg_data_o = traverse_bubble_drain_q;
       6'd42: reg_data_o = traverse_stall_hit_queue_q;
       6'd43: reg_data_o = traverse_replays_q;
-      6'd44: reg_data_o = height_l1_accesses_q;
+      6'd44: reg_data_o = height_l1_hits_q + height_l1_misses_q + height_l1_merges_q + height_l1_refused_q;  // accesses
       6'd45: reg_data_o = height_l1_hits_q;
       6'd46: reg_data_o = height_l1_misses_q;
       6'd47: reg_data_o = height_l1_merges_q;

@@ -24,7 +24,7 @@ module height_l1 #(
     input logic clk_i,
     input logic rst_ni,
 
-    input  logic                   enable_i,          // the pipe moves: the texel of this cycle's ray follows
+    input  logic                   enable_i,          // the pipe moves: lookup, retry and replay happen, the texel follows
     input  logic                   lookup_valid_i,
     input  logic                   lookup_retry_i,
     input  logic [AddressBits-1:0] lookup_address_i,  // bytes
@@ -97,69 +97,63 @@ module height_l1 #(
     next_context = (pointer == ContextBits'(Contexts - 1)) ? '0 : pointer + 1'b1;
   endfunction
 
-  // ---- Lookup
+  // ---- Lookup. What it finds follows from registers; it happens if the pipe moves.
   wire [LineBits-1:0] line = lookup_address_i[AddressBits-1:OffsetBits];
   wire [SetBits-1:0] set = (Sets > 1) ? line[SetBits-1:0] : '0;
-  logic [Ways*WayBits-1:0] ages;
-  always_comb begin
-    ages = oldest_first_q[set];
-    // Ways never used are chosen in the order of their numbers.
-    if (!used_q[set]) begin
-      for (int unsigned w = 0; w < Ways; w++) ages[w*WayBits+:WayBits] = WayBits'(w);
-    end
-  end
   logic found;
   logic [WayBits-1:0] found_way;
   always_comb begin
     found = 1'b0;
     found_way = '0;
-    for (int unsigned w = 0; w < Ways; w++) begin
-      if (valid_q[32'(set)*Ways+w] && line_q[32'(set)*Ways+w] == line) begin
-        found = 1'b1;
-        found_way = WayBits'(w);
+    if (lookup_valid_i) begin
+      for (int unsigned w = 0; w < Ways; w++) begin
+        if (valid_q[32'(set)*Ways+w] && line_q[32'(set)*Ways+w] == line) begin
+          found = 1'b1;
+          found_way = WayBits'(w);
+        end
       end
     end
   end
 
+  wire missing = lookup_valid_i & ~found;
+  wire all_taken = &taken_q;
   logic merges;
   logic [MshrBits-1:0] merge_mshr, free_mshr;
   always_comb begin
     merges = 1'b0;
     merge_mshr = '0;
     free_mshr = '0;
-    for (int unsigned m = 0; m < Mshrs; m++) begin
-      if (pending_q[m] && mshr_line_q[m] == line) begin
-        merges = 1'b1;
-        merge_mshr = MshrBits'(m);
+    if (missing) begin
+      for (int unsigned m = 0; m < Mshrs; m++) begin
+        if (pending_q[m] && mshr_line_q[m] == line) begin
+          merges = 1'b1;
+          merge_mshr = MshrBits'(m);
+        end
+        if (!taken_q[Mshrs-1-m]) free_mshr = MshrBits'(Mshrs - 1 - m);
       end
-      if (!taken_q[Mshrs-1-m]) free_mshr = MshrBits'(Mshrs - 1 - m);
     end
   end
-  wire all_taken = &taken_q;
+  wire allocates = missing & ~merges & ~all_taken;
+  wire refuses = missing & ~merges & all_taken;
   assign lookup_hit_o = found;
-  assign merge_o = lookup_valid_i & ~found & merges;
-  assign miss_o = lookup_valid_i & ~found & ~merges & ~all_taken;
-  assign refuse_o = lookup_valid_i & ~found & ~merges & all_taken;
+  assign merge_o = enable_i & merges;
+  assign miss_o = enable_i & allocates;
+  assign refuse_o = enable_i & refuses;
+  wire replays = enable_i & replay_take_i;
+  wire retries = enable_i & lookup_retry_i;
 
-  wire [WayBits-1:0] victim = ages[WayBits-1:0];
-  wire touches = lookup_valid_i & (found | miss_o);
-  wire [WayBits-1:0] touched = found ? found_way : victim;
-  logic [Ways*WayBits-1:0] ages_d;
+  // The ways of the set, the least recently used in the lowest bits; never used: in the order of their numbers.
+  logic [Ways*WayBits-1:0] ages;
   always_comb begin
-    ages_d = ages;
-    for (int unsigned k = 0; k + 1 < Ways; k++) begin
-      // From the touched way's place on, each moves up one.
-      if (ages_d[k*WayBits+:WayBits] == touched) begin
-        ages_d[k*WayBits+:WayBits] = ages[(k+1)*WayBits+:WayBits];
-        ages_d[(k+1)*WayBits+:WayBits] = touched;
-      end
-    end
+    for (int unsigned w = 0; w < Ways; w++) ages[w*WayBits+:WayBits] = WayBits'(w);
+    if (lookup_valid_i && used_q[set]) ages = oldest_first_q[set];
   end
+  wire [WayBits-1:0] victim = ages[WayBits-1:0];
 
   // ---- Replays and retries
   wire [MshrBits-1:0] head = landed_q[landed_read_q];
   wire last_waiter = first_q[head] == last_q[head];
-  wire frees = replay_take_i & last_waiter;
+  wire frees = replays & last_waiter;
   assign replay_valid_o = landed_fill_q != '0;
   assign replay_context_o = first_q[head];
   assign retry_valid_o = (retry_fill_q != '0) & ~all_taken;
@@ -179,32 +173,33 @@ module height_l1 #(
   assign evict_o = fill_valid_i & valid_q[fill_index];
   assign mshrs_o = mshr_fill_q;
 
-  // ---- Data: banks of one word, for lines and for landed MSHRs
+  // ---- Data of the lines and of landed MSHRs: a line is written, a word is read.
   wire [LineIndexBits-1:0] read_index = LineIndexBits'(32'(set) * Ways + 32'(found_way));
-  logic [OffsetBits-1:0] offset_q;
+  wire [WordBits-1:0] read_word = lookup_address_i[OffsetBits-1:2];
+  localparam int LineDataBits = $clog2(Lines * Words);
+  localparam int MshrDataBits = $clog2(Mshrs * Words);
+  logic [31:0] line_data_q[Lines*Words];
+  logic [31:0] mshr_data_q[Mshrs*Words];
+  logic [31:0] line_word_q, mshr_word_q;
+  logic [1:0] byte_q;
   logic replayed_q;
-  logic [31:0] line_words[Words];
-  logic [31:0] mshr_words[Words];
-  for (genvar b = 0; b < Words; b++) begin : gen_bank
-    logic [31:0] line_bank_q[Lines];
-    logic [31:0] mshr_bank_q[Mshrs];
-    logic [31:0] line_word_q, mshr_word_q;
-    always_ff @(posedge clk_i) begin
-      if (fill_valid_i) begin
-        line_bank_q[fill_index] <= fill_data_i[b*32+:32];
-        mshr_bank_q[fill_mshr_i] <= fill_data_i[b*32+:32];
-      end
-      if (enable_i && lookup_address_i[OffsetBits-1:2] == WordBits'(b)) begin
-        if (replay_take_i) mshr_word_q <= mshr_bank_q[head];
-        else line_word_q <= line_bank_q[read_index];
+  always_ff @(posedge clk_i) begin
+    if (fill_valid_i) begin
+      for (int unsigned w = 0; w < Words; w++) begin
+        line_data_q[LineDataBits'({fill_index, WordBits'(w)})] <= fill_data_i[w*32+:32];
+        mshr_data_q[MshrDataBits'({fill_mshr_i, WordBits'(w)})] <= fill_data_i[w*32+:32];
       end
     end
-    assign line_words[b] = line_word_q;
-    assign mshr_words[b] = mshr_word_q;
+    if (enable_i) begin
+      if (found) line_word_q <= line_data_q[LineDataBits'({read_index, read_word})];
+      if (replay_take_i) mshr_word_q <= mshr_data_q[MshrDataBits'({head, read_word})];
+      byte_q <= lookup_address_i[1:0];
+      replayed_q <= replay_take_i;
+    end
   end
-  wire [31:0] word = replayed_q ? mshr_words[offset_q[OffsetBits-1:2]] : line_words[offset_q[OffsetBits-1:2]];
-  assign texel_o = (TexelBytes == 1) ? HeightBits'(word >> {offset_q[1:0], 3'b000})
-                                     : HeightBits'(word >> {offset_q[1], 4'b0000});
+  wire [31:0] word = replayed_q ? mshr_word_q : line_word_q;
+  assign texel_o = (TexelBytes == 1) ? HeightBits'(word >> {byte_q, 3'b000})
+                                     : HeightBits'(word >> {byte_q[1], 4'b0000});
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -223,7 +218,7 @@ module height_l1 #(
       retry_write_q <= '0;
       retry_fill_q <= '0;
     end else begin
-      if (touches) used_q[set] <= 1'b1;
+      if (enable_i && (found || allocates)) used_q[set] <= 1'b1;
       if (miss_o) begin
         taken_q[free_mshr] <= 1'b1;
         pending_q[free_mshr] <= 1'b1;
@@ -232,8 +227,8 @@ module height_l1 #(
       if (request_leaves && request_waits) request_read_q <= next_mshr(request_read_q);
       request_fill_q <= request_fill_q + {{MshrBits{1'b0}}, miss_o} - {{MshrBits{1'b0}}, request_leaves};
       if (refuse_o) retry_write_q <= next_context(retry_write_q);
-      if (lookup_retry_i) retry_read_q <= next_context(retry_read_q);
-      retry_fill_q <= retry_fill_q + {{ContextBits{1'b0}}, refuse_o} - {{ContextBits{1'b0}}, lookup_retry_i};
+      if (retries) retry_read_q <= next_context(retry_read_q);
+      retry_fill_q <= retry_fill_q + {{ContextBits{1'b0}}, refuse_o} - {{ContextBits{1'b0}}, retries};
       if (fill_valid_i) begin
         valid_q[fill_index] <= 1'b1;
         pending_q[fill_mshr_i] <= 1'b0;
@@ -249,7 +244,18 @@ module height_l1 #(
   end
 
   always_ff @(posedge clk_i) begin
-    if (touches) oldest_first_q[set] <= ages_d;
+    if (enable_i && (found || allocates)) begin : touch
+      // From the touched way's place on, each moves up one.
+      logic [Ways*WayBits-1:0] after;
+      after = ages;
+      for (int unsigned k = 0; k + 1 < Ways; k++) begin
+        if (after[k*WayBits+:WayBits] == (found ? found_way : victim)) begin
+          after[k*WayBits+:WayBits] = ages[(k+1)*WayBits+:WayBits];
+          after[(k+1)*WayBits+:WayBits] = found ? found_way : victim;
+        end
+      end
+      oldest_first_q[set] <= after;
+    end
     if (miss_o) begin
       mshr_line_q[free_mshr] <= line;
       mshr_way_q[free_mshr] <= victim;
@@ -262,14 +268,10 @@ module height_l1 #(
       last_q[merge_mshr] <= lookup_context_i;
     end
     if (refuse_o) retry_q[retry_write_q] <= lookup_context_i;
-    if (replay_take_i && !last_waiter) first_q[head] <= next_q[first_q[head]];
+    if (replays && !last_waiter) first_q[head] <= next_q[first_q[head]];
     if (fill_valid_i) begin
       line_q[fill_index] <= fill_line;
       landed_q[landed_write_q] <= fill_mshr_i;
-    end
-    if (enable_i) begin
-      offset_q <= lookup_address_i[OffsetBits-1:0];
-      replayed_q <= replay_take_i;
     end
   end
 

@@ -3,7 +3,8 @@
 // Ports: rays in (valid/ready) and contexts out (valid/ready), both in order, both registered.
 // Timing: a ray enters when IntervalCycles have passed since the one before and fewer than QueueDepth rays have
 // entered and were not taken, both at the end of the cycle before; it may be taken LatencyCycles after it entered.
-// Each of QueueDepth engines (ray_setup_engine) holds one ray from its entry until it is taken.
+// ray_setup_engine does the set-up; its result waits in a queue, with the next to be taken in registers of its own.
+// LatencyCycles is at least the engine's DoneCycles + 1.
 
 `include "traversal/traverse_types.svh"
 
@@ -81,142 +82,177 @@ module ray_setup #(
   localparam int IntervalBits = $clog2(IntervalCycles + 1);
   localparam int PointerBits = (QueueDepth > 1) ? $clog2(QueueDepth) : 1;
 
-  logic [PointerBits-1:0] enter_q, take_q;  // next engine to enter, next to be taken
-  logic [PointerBits:0] fill_q;
-  logic [IntervalBits-1:0] wait_q;
-  logic [QueueDepth-1:0] ready;
+  localparam int LineBits = 1 + ShiftBits + MantissaBits + 1 + ProductBits;
+  localparam int PlaceBits = HmtLevelBits + 2 * PlaneBits;
 
+  // ---- Time: who may enter, who may be taken
+  logic [PointerBits:0] fill_q;  // entered, not taken
+  logic [IntervalBits-1:0] wait_q;
+  logic [LatencyCycles-1:0] age_q;  // [a]: a ray entered a + 1 cycles ago
+  logic [PointerBits:0] ripe_q;     // of those that entered longer ago, not taken
+  wire ripens = age_q[LatencyCycles-1];
   wire enters = ray_valid_i & ray_ready_o;
   wire taken = out_valid_o & out_ready_i;
 
   assign ray_ready_o = (fill_q < (PointerBits + 1)'(QueueDepth)) & (wait_q == '0);
   assign empty_o = fill_q == '0;
-  assign out_valid_o = ready[take_q];
+  assign out_valid_o = ripens | (ripe_q != '0);
 
-  function automatic logic [PointerBits-1:0] next_engine(input logic [PointerBits-1:0] engine);
-    next_engine = (engine == PointerBits'(QueueDepth - 1)) ? '0 : engine + 1'b1;
+  // ---- The queue behind the engine: stored results, and before them the one at the outputs
+  logic arrives;
+  logic head_valid_q;
+  logic [PointerBits-1:0] read_q, write_q;
+  logic [PointerBits:0] stored_q;
+  wire refills = ~head_valid_q | taken;  // the outputs are free for the next
+  wire pops = refills & (stored_q != '0);
+  wire stores = arrives & ~(refills & (stored_q == '0));
+
+  function automatic logic [PointerBits-1:0] next_place(input logic [PointerBits-1:0] place);
+    next_place = (place == PointerBits'(QueueDepth - 1)) ? '0 : place + 1'b1;
   endfunction
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
-      enter_q <= '0;
-      take_q <= '0;
       fill_q <= '0;
       wait_q <= '0;
+      age_q <= '0;
+      ripe_q <= '0;
+      head_valid_q <= 1'b0;
+      read_q <= '0;
+      write_q <= '0;
+      stored_q <= '0;
     end else begin
-      if (wait_q != '0) wait_q <= wait_q - 1'b1;
-      if (enters) begin
-        enter_q <= next_engine(enter_q);
-        wait_q <= IntervalBits'(IntervalCycles - 1);
-      end
-      if (taken) take_q <= next_engine(take_q);
+      if (enters) wait_q <= IntervalBits'(IntervalCycles - 1);
+      else if (wait_q != '0) wait_q <= wait_q - 1'b1;
       fill_q <= fill_q + {{PointerBits{1'b0}}, enters} - {{PointerBits{1'b0}}, taken};
+      age_q <= {age_q[LatencyCycles-2:0], enters};
+      ripe_q <= ripe_q + {{PointerBits{1'b0}}, ripens} - {{PointerBits{1'b0}}, taken};
+      if (refills) head_valid_q <= pops | arrives;
+      if (pops) read_q <= next_place(read_q);
+      if (stores) write_q <= next_place(write_q);
+      stored_q <= stored_q + {{PointerBits{1'b0}}, stores} - {{PointerBits{1'b0}}, pops};
     end
   end
 
-  logic [IdBits-1:0] id[QueueDepth];
-  logic dead[QueueDepth];
-  logic [MantissaBits:0] mx[QueueDepth];
-  logic [MantissaBits:0] my[QueueDepth];
-  logic [MantissaBits:0] mz[QueueDepth];
-  logic signed [ProductBits-1:0] ox[QueueDepth];
-  logic signed [ProductBits-1:0] oy[QueueDepth];
-  logic signed [ProductBits-1:0] oz[QueueDepth];
-  logic [ShiftBits-1:0] ex[QueueDepth];
-  logic [ShiftBits-1:0] ey[QueueDepth];
-  logic [ShiftBits-1:0] ez[QueueDepth];
-  logic still_x[QueueDepth];
-  logic still_y[QueueDepth];
-  logic still_z[QueueDepth];
-  logic flip_x[QueueDepth];
-  logic flip_y[QueueDepth];
-  logic rising[QueueDepth];
-  logic [TimeBits-1:0] t_start[QueueDepth];
-  logic [TimeBits-1:0] t_max[QueueDepth];
-  logic [TimeBits-1:0] t_root[QueueDepth];
-  logic [HmtLevelBits-1:0] level[QueueDepth];
-  logic signed [PlaneBits-1:0] node_x[QueueDepth];
-  logic signed [PlaneBits-1:0] node_y[QueueDepth];
+  // ---- The engine
+  logic [IdBits-1:0] id;
+  logic dead, still_x, still_y, still_z, flip_x, flip_y, rising;
+  logic [MantissaBits:0] mx, my, mz;
+  logic signed [ProductBits-1:0] ox, oy, oz;
+  logic [ShiftBits-1:0] ex, ey, ez;
+  logic [TimeBits-1:0] t_start, t_max, t_root;
+  logic signed [PlaneBits-1:0] cell_x, cell_y;
+  logic [HmtLevelBits-1:0] span_x, span_y;
 
-  for (genvar e = 0; e < QueueDepth; e++) begin : gen_engine
-    ray_setup_engine #(
-        .MaxLevel(MaxLevel),
-        .HeightBits(HeightBits),
-        .FractionBits(FractionBits),
-        .DirectionBits(DirectionBits),
-        .MantissaBits(MantissaBits),
-        .TileBits(TileBits),
-        .IdBits(IdBits),
-        .LatencyCycles(LatencyCycles)
-    ) u_engine (
-        .clk_i,
-        .rst_ni,
-        .cfg_root_level_i,
-        .cfg_border_i,
-        .cfg_start_i,
-        .cfg_stop_level_i,
-        .cfg_t_end_i,
-        .cfg_root_bound_i,
-        .ray_id_i,
-        .ray_x0_i,
-        .ray_y0_i,
-        .ray_z0_i,
-        .ray_dx_i,
-        .ray_dy_i,
-        .ray_dz_i,
-        .ray_t_max_i,
-        .ray_dead_i,
-        .enter_i(enters && enter_q == PointerBits'(e)),
-        .free_i(taken && take_q == PointerBits'(e)),
-        .ready_o(ready[e]),
-        .out_id_o(id[e]),
-        .out_dead_o(dead[e]),
-        .out_mx_o(mx[e]),
-        .out_my_o(my[e]),
-        .out_mz_o(mz[e]),
-        .out_ox_o(ox[e]),
-        .out_oy_o(oy[e]),
-        .out_oz_o(oz[e]),
-        .out_ex_o(ex[e]),
-        .out_ey_o(ey[e]),
-        .out_ez_o(ez[e]),
-        .out_still_x_o(still_x[e]),
-        .out_still_y_o(still_y[e]),
-        .out_still_z_o(still_z[e]),
-        .out_flip_x_o(flip_x[e]),
-        .out_flip_y_o(flip_y[e]),
-        .out_rising_o(rising[e]),
-        .out_t_start_o(t_start[e]),
-        .out_t_max_o(t_max[e]),
-        .out_t_root_o(t_root[e]),
-        .out_level_o(level[e]),
-        .out_node_x_o(node_x[e]),
-        .out_node_y_o(node_y[e])
-    );
+  ray_setup_engine #(
+      .MaxLevel(MaxLevel),
+      .HeightBits(HeightBits),
+      .FractionBits(FractionBits),
+      .DirectionBits(DirectionBits),
+      .MantissaBits(MantissaBits),
+      .TileBits(TileBits),
+      .IdBits(IdBits),
+      .IntervalCycles(IntervalCycles)
+  ) u_engine (
+      .clk_i,
+      .rst_ni,
+      .cfg_root_level_i,
+      .cfg_border_i,
+      .cfg_t_end_i,
+      .cfg_root_bound_i,
+      .enter_i(enters),
+      .ray_id_i,
+      .ray_x0_i,
+      .ray_y0_i,
+      .ray_z0_i,
+      .ray_dx_i,
+      .ray_dy_i,
+      .ray_dz_i,
+      .ray_t_max_i,
+      .ray_dead_i,
+      .done_o(arrives),
+      .out_id_o(id),
+      .out_dead_o(dead),
+      .out_mx_o(mx),
+      .out_my_o(my),
+      .out_mz_o(mz),
+      .out_ox_o(ox),
+      .out_oy_o(oy),
+      .out_oz_o(oz),
+      .out_ex_o(ex),
+      .out_ey_o(ey),
+      .out_ez_o(ez),
+      .out_still_x_o(still_x),
+      .out_still_y_o(still_y),
+      .out_still_z_o(still_z),
+      .out_flip_x_o(flip_x),
+      .out_flip_y_o(flip_y),
+      .out_rising_o(rising),
+      .out_t_start_o(t_start),
+      .out_t_max_o(t_max),
+      .out_t_root_o(t_root),
+      .out_cell_x_o(cell_x),
+      .out_cell_y_o(cell_y),
+      .out_span_x_o(span_x),
+      .out_span_y_o(span_y)
+  );
+
+  // ---- Results: stored, or straight to the outputs
+  logic [IdBits-1:0] id_q[QueueDepth];
+  logic [3:0] ways_q[QueueDepth];  // {dead, flip_x, flip_y, rising}
+  logic [LineBits-1:0] line_x_q[QueueDepth];  // {still, shift, mantissa, offset}
+  logic [LineBits-1:0] line_y_q[QueueDepth];
+  logic [LineBits-1:0] line_z_q[QueueDepth];
+  logic [TimeBits-1:0] t_start_q[QueueDepth];
+  logic [TimeBits-1:0] t_max_q[QueueDepth];
+  logic [TimeBits-1:0] t_root_q[QueueDepth];
+  logic [PlaceBits-1:0] place_q[QueueDepth];  // {level, node_x, node_y}
+
+  always_ff @(posedge clk_i) begin
+    if (arrives || pops) begin : move
+      logic [HmtLevelBits-1:0] span, first;
+      logic [PlaceBits-1:0] place;
+      span = (span_x > span_y) ? span_x : span_y;
+      if (span < cfg_stop_level_i) span = cfg_stop_level_i;
+      case (cfg_start_i)
+        HmtStartLeaf: first = cfg_stop_level_i;
+        HmtStartSpan: first = span;
+        default: first = cfg_root_level_i;
+      endcase
+      place = {first, cell_x >>> first, cell_y >>> first};
+      if (stores) begin
+        id_q[write_q] <= id;
+        ways_q[write_q] <= {dead, flip_x, flip_y, rising};
+        line_x_q[write_q] <= {still_x, ex, mx, ox};
+        line_y_q[write_q] <= {still_y, ey, my, oy};
+        line_z_q[write_q] <= {still_z, ez, mz, oz};
+        t_start_q[write_q] <= t_start;
+        t_max_q[write_q] <= t_max;
+        t_root_q[write_q] <= t_root;
+        place_q[write_q] <= place;
+      end
+      if (pops) begin
+        out_id_o <= id_q[read_q];
+        {out_dead_o, out_flip_x_o, out_flip_y_o, out_rising_o} <= ways_q[read_q];
+        {out_still_x_o, out_ex_o, out_mx_o, out_ox_o} <= line_x_q[read_q];
+        {out_still_y_o, out_ey_o, out_my_o, out_oy_o} <= line_y_q[read_q];
+        {out_still_z_o, out_ez_o, out_mz_o, out_oz_o} <= line_z_q[read_q];
+        out_t_start_o <= t_start_q[read_q];
+        out_t_max_o <= t_max_q[read_q];
+        out_t_root_o <= t_root_q[read_q];
+        {out_level_o, out_node_x_o, out_node_y_o} <= place_q[read_q];
+      end else if (refills) begin
+        out_id_o <= id;
+        {out_dead_o, out_flip_x_o, out_flip_y_o, out_rising_o} <= {dead, flip_x, flip_y, rising};
+        {out_still_x_o, out_ex_o, out_mx_o, out_ox_o} <= {still_x, ex, mx, ox};
+        {out_still_y_o, out_ey_o, out_my_o, out_oy_o} <= {still_y, ey, my, oy};
+        {out_still_z_o, out_ez_o, out_mz_o, out_oz_o} <= {still_z, ez, mz, oz};
+        out_t_start_o <= t_start;
+        out_t_max_o <= t_max;
+        out_t_root_o <= t_root;
+        {out_level_o, out_node_x_o, out_node_y_o} <= place;
+      end
+    end
   end
-
-  assign out_id_o = id[take_q];
-  assign out_dead_o = dead[take_q];
-  assign out_mx_o = mx[take_q];
-  assign out_my_o = my[take_q];
-  assign out_mz_o = mz[take_q];
-  assign out_ox_o = ox[take_q];
-  assign out_oy_o = oy[take_q];
-  assign out_oz_o = oz[take_q];
-  assign out_ex_o = ex[take_q];
-  assign out_ey_o = ey[take_q];
-  assign out_ez_o = ez[take_q];
-  assign out_still_x_o = still_x[take_q];
-  assign out_still_y_o = still_y[take_q];
-  assign out_still_z_o = still_z[take_q];
-  assign out_flip_x_o = flip_x[take_q];
-  assign out_flip_y_o = flip_y[take_q];
-  assign out_rising_o = rising[take_q];
-  assign out_t_start_o = t_start[take_q];
-  assign out_t_max_o = t_max[take_q];
-  assign out_t_root_o = t_root[take_q];
-  assign out_level_o = level[take_q];
-  assign out_node_x_o = node_x[take_q];
-  assign out_node_y_o = node_y[take_q];
 
 endmodule

@@ -1,10 +1,12 @@
-// ray_setup_engine: one ray's set-up, from its entry until traverse has taken it.
+// ray_setup_engine: the set-up itself, a pipe of windows that each hold one ray for IntervalCycles cycles.
 //
-// Ports: `enter_i` takes the ray at the inputs (the engine must be idle), `ready_o` says that LatencyCycles have
-// passed since, `free_i` that the ray was taken. All registered.
+// Ports: `enter_i` takes the ray at the inputs, IntervalCycles or more after the one before; `done_o` says that the
+// ray at the outputs, all registered, is set up: for one cycle, DoneCycles after it entered.
 // Timing, in cycles since the entry:
-//   1 normalise | DivCycles reciprocal, 2 bits a cycle | 1 offsets | 2 clip | CellCycles start cell, 2 bits a cycle
-//   | SpanCycles start level, a binary search
+//   1 normalise | DivCycles reciprocal, 2 bits a cycle | 1 offsets | 1 clip | CellCycles start cell, 2 bits a cycle,
+//   the first with the test whether the ray is dead | SpanCycles start level, a binary search
+// What happens in age a (cycles since the entry) is hardware of the window that holds age a + 1: there is one of
+// everything that takes a cycle, and of the reciprocal and the searches as many as rays are in them at a time.
 // A line is p(k) = k * slope - offset, slope = mantissa << FractionBits; its time is p << shift, saturated.
 
 `include "traversal/traverse_types.svh"
@@ -17,7 +19,7 @@ module ray_setup_engine #(
     parameter int MantissaBits = 12,   // M
     parameter int TileBits = 4,        // w2
     parameter int IdBits = 32,
-    parameter int LatencyCycles = 24,
+    parameter int IntervalCycles = 4,
     // Widths that follow.
     parameter int IndexBits = MaxLevel + TileBits,
     parameter int PositionBits = IndexBits + FractionBits + 2,
@@ -33,14 +35,10 @@ module ray_setup_engine #(
 
     input logic [HmtLevelBits-1:0] cfg_root_level_i,
     input logic                    cfg_border_i,
-    input logic [             1:0] cfg_start_i,
-    input logic [HmtLevelBits-1:0] cfg_stop_level_i,
     input logic [    TimeBits-1:0] cfg_t_end_i,
     input logic [  HeightBits-1:0] cfg_root_bound_i,
 
     input  logic                                      enter_i,
-    input  logic                                      free_i,
-    output logic                                      ready_o,
     input  logic        [                 IdBits-1:0] ray_id_i,
     input  logic signed [           PositionBits-1:0] ray_x0_i,
     input  logic signed [           PositionBits-1:0] ray_y0_i,
@@ -51,7 +49,7 @@ module ray_setup_engine #(
     input  logic        [               TimeBits-1:0] ray_t_max_i,
     input  logic                                      ray_dead_i,
 
-
+    output logic                             done_o,
     output logic        [        IdBits-1:0] out_id_o,
     output logic                             out_dead_o,
     output logic        [    MantissaBits:0] out_mx_o,
@@ -72,9 +70,10 @@ module ray_setup_engine #(
     output logic        [      TimeBits-1:0] out_t_start_o,
     output logic        [      TimeBits-1:0] out_t_max_o,
     output logic        [      TimeBits-1:0] out_t_root_o,
-    output logic        [HmtLevelBits-1:0]   out_level_o,
-    output logic signed [     PlaneBits-1:0] out_node_x_o,
-    output logic signed [     PlaneBits-1:0] out_node_y_o
+    output logic signed [     PlaneBits-1:0] out_cell_x_o,
+    output logic signed [     PlaneBits-1:0] out_cell_y_o,
+    output logic        [  HmtLevelBits-1:0] out_span_x_o,  // lowest level whose node holds the ray's way, in x
+    output logic        [  HmtLevelBits-1:0] out_span_y_o
 );
 
   localparam int DivCycles = (MantissaBits + 1) / 2;
@@ -85,56 +84,15 @@ module ray_setup_engine #(
   localparam int AtOffset = AtDiv + DivCycles;
   localparam int AtClip = AtOffset + 1;
   localparam int AtTest = AtClip + 1;
-  localparam int AtCell = AtTest + 1;
-  localparam int AtSpan = AtCell + CellCycles;
-  localparam int NeedsCycles = AtSpan + SpanCycles;
-  localparam int AgeBits = $clog2(LatencyCycles + 1);
+  localparam int AtSpan = AtTest + CellCycles;
+  localparam int DoneCycles = AtSpan + SpanCycles;
+  localparam int Windows = (DoneCycles - 1) / IntervalCycles + 1;
+  localparam int StepBits = $clog2(IntervalCycles + 1);
   localparam int ZBits = HeightBits + FractionBits;
   localparam int DivBits = DirectionBits + 2;
   localparam int QuotientBits = 2 * DivCycles + 2;
   localparam int DivideBits = QuotientBits + DivBits;
   localparam int SearchBits = ProductBits + PlaneBits;
-
-  logic                               busy_q;
-  logic        [         AgeBits-1:0] age_q;  // cycles since the ray entered, up to LatencyCycles
-  logic        [          IdBits-1:0] id_q;
-  logic                               dead_q;
-  logic                               flip_x_q;
-  logic                               flip_y_q;
-  logic                               rising_q;
-  logic                               falling_q;
-  logic signed [    PositionBits-1:0] x0_q;  // mirrored from age 2 on
-  logic signed [    PositionBits-1:0] y0_q;
-  logic        [           ZBits-1:0] z0_q;
-  logic signed [     DirectionBits:0] dx_q;  // normalised from age 2 on
-  logic signed [     DirectionBits:0] dy_q;
-  logic signed [     DirectionBits:0] dz_q;
-  logic                               still_x_q;
-  logic                               still_y_q;
-  logic                               still_z_q;
-  logic        [       ShiftBits-1:0] ex_q;
-  logic        [       ShiftBits-1:0] ey_q;
-  logic        [       ShiftBits-1:0] ez_q;
-  logic        [      DivideBits-1:0] div_x_q;  // {quotient, remainder}
-  logic        [      DivideBits-1:0] div_y_q;
-  logic        [      DivideBits-1:0] div_z_q;
-  logic        [      MantissaBits:0] mx_q;
-  logic        [      MantissaBits:0] my_q;
-  logic        [      MantissaBits:0] mz_q;
-  logic signed [     ProductBits-1:0] ox_q;
-  logic signed [     ProductBits-1:0] oy_q;
-  logic signed [     ProductBits-1:0] oz_q;
-  logic        [        TimeBits-1:0] t_start_q;
-  logic        [        TimeBits-1:0] t_max_q;
-  logic        [        TimeBits-1:0] t_root_q;
-  logic        [        TimeBits-1:0] t_end_q;  // the time at which the end cell is asked for
-  logic        [      SearchBits-1:0] cell_x_q;  // {product, start cell}
-  logic        [      SearchBits-1:0] cell_y_q;
-  logic        [    HmtLevelBits-1:0] low_x_q;  // start level: between low and high
-  logic        [    HmtLevelBits-1:0] low_y_q;
-  logic        [    HmtLevelBits-1:0] high_x_q;
-  logic        [    HmtLevelBits-1:0] high_y_q;
-
 
   // Left shift that brings the top bit of d to bit DirectionBits - 1; 0 for d = 0.
   function automatic logic [ShiftBits-1:0] normalising_shift(input logic [DirectionBits-1:0] d);
@@ -222,174 +180,307 @@ module ray_setup_engine #(
         (endless | at_most(product(plane, mantissa, offset), 1'b0, shift, t));
   endfunction
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      busy_q <= 1'b0;
-    end else begin
-      if (busy_q) begin
-        if (age_q != AgeBits'(LatencyCycles)) age_q <= age_q + 1'b1;
+  // ---- The windows. Window w holds the ages w * IntervalCycles + 1 to (w + 1) * IntervalCycles.
+`define HMT_FROM gen_window[Before]
+// Whether the ray that is now in age `age` is worked on here, or in one of `ages` ages from that on.
+`define HMT_NOW(age) ((age) / IntervalCycles == w && (((age) % IntervalCycles == 0) ? comes \
+    : (!comes && step_q == StepBits'((age) % IntervalCycles - 1))))
+`define HMT_WITHIN(age, ages) ((age) < First + IntervalCycles && (age) + (ages) > First && (comes \
+    ? ((age) <= First) : (step_q != StepBits'(LastStep) \
+      && First + 1 + 32'(step_q) >= (age) && First + 1 + 32'(step_q) < (age) + (ages))))
 
-        if (age_q == AgeBits'(1)) begin  // mirror, normalise
-          flip_x_q <= dx_q[DirectionBits];
-          flip_y_q <= dy_q[DirectionBits];
-          rising_q <= ~dz_q[DirectionBits] & (dz_q != '0);
-          falling_q <= dz_q[DirectionBits];
-          if (dx_q[DirectionBits]) begin
-            x0_q <= PositionBits'(side_plane <<< FractionBits) - x0_q;
-          end
-          if (dy_q[DirectionBits]) begin
-            y0_q <= PositionBits'(side_plane <<< FractionBits) - y0_q;
-          end
-          still_x_q <= dx_q == '0;
-          still_y_q <= dy_q == '0;
-          still_z_q <= dz_q == '0;
-          ex_q <= normalising_shift(magnitude(dx_q));
-          ey_q <= normalising_shift(magnitude(dy_q));
-          ez_q <= normalising_shift(magnitude(dz_q));
-          dx_q <= {1'b0, normalised(magnitude(dx_q))};
-          dy_q <= {1'b0, normalised(magnitude(dy_q))};
-          dz_q <= {1'b0, normalised(magnitude(dz_q))};
-          div_x_q <= divide_from(normalised(magnitude(dx_q)));
-          div_y_q <= divide_from(normalised(magnitude(dy_q)));
-          div_z_q <= divide_from(normalised(magnitude(dz_q)));
+  for (genvar w = 0; w < Windows; w++) begin : gen_window
+    localparam int First = w * IntervalCycles;  // the age in which a ray comes in
+    localparam int Before = (w > 0) ? w - 1 : 0;
+    localparam int LastStep = ((w == Windows - 1) ? DoneCycles - 1 : First + IntervalCycles - 1) - First;
+    logic                               busy_q;
+    logic        [        StepBits-1:0] step_q;  // cycles in this window
+    logic        [          IdBits-1:0] id_q;
+    logic                               dead_q;
+    logic                               flip_x_q;
+    logic                               flip_y_q;
+    logic                               rising_q;
+    logic                               falling_q;
+    logic signed [    PositionBits-1:0] x0_q;  // mirrored from age 2 on
+    logic signed [    PositionBits-1:0] y0_q;
+    logic        [           ZBits-1:0] z0_q;
+    logic signed [     DirectionBits:0] dx_q;  // normalised from age 2 on
+    logic signed [     DirectionBits:0] dy_q;
+    logic signed [     DirectionBits:0] dz_q;
+    logic                               still_x_q;
+    logic                               still_y_q;
+    logic                               still_z_q;
+    logic        [       ShiftBits-1:0] ex_q;
+    logic        [       ShiftBits-1:0] ey_q;
+    logic        [       ShiftBits-1:0] ez_q;
+    logic        [      DivideBits-1:0] div_x_q;  // {quotient, remainder}
+    logic        [      DivideBits-1:0] div_y_q;
+    logic        [      DivideBits-1:0] div_z_q;
+    logic        [      MantissaBits:0] mx_q;
+    logic        [      MantissaBits:0] my_q;
+    logic        [      MantissaBits:0] mz_q;
+    logic signed [     ProductBits-1:0] ox_q;
+    logic signed [     ProductBits-1:0] oy_q;
+    logic signed [     ProductBits-1:0] oz_q;
+    logic        [        TimeBits-1:0] t_start_q;
+    logic        [        TimeBits-1:0] t_max_q;
+    logic        [        TimeBits-1:0] t_root_q;
+    logic        [        TimeBits-1:0] t_end_q;  // the time at which the end cell is asked for
+    logic        [      SearchBits-1:0] cell_x_q;  // {product, start cell}
+    logic        [      SearchBits-1:0] cell_y_q;
+    logic        [    HmtLevelBits-1:0] low_x_q;  // start level: between low and high
+    logic        [    HmtLevelBits-1:0] low_y_q;
+    logic        [    HmtLevelBits-1:0] high_x_q;
+    logic        [    HmtLevelBits-1:0] high_y_q;
+
+    logic comes;
+    if (w == 0) begin : gen_from_port
+      assign comes = enter_i;
+    end else begin : gen_from_window
+      assign comes = `HMT_FROM.busy_q & (`HMT_FROM.step_q == StepBits'(IntervalCycles - 1));
+    end
+
+    always_ff @(posedge clk_i or negedge rst_ni) begin
+      if (!rst_ni) busy_q <= 1'b0;
+      else if (comes) busy_q <= 1'b1;
+      else if (step_q == StepBits'(LastStep)) busy_q <= 1'b0;
+    end
+
+    always_ff @(posedge clk_i) begin
+      if (comes || busy_q) begin : work
+        // The ray that is worked on: the one that comes in, or the one here.
+        logic rising, falling, still_x, still_y, still_z;
+        logic signed [PositionBits-1:0] x0, y0;
+        logic [ZBits-1:0] z0;
+        logic signed [DirectionBits:0] dx, dy, dz;
+        logic [ShiftBits-1:0] ex, ey, ez;
+        logic [DivideBits-1:0] div_x, div_y, div_z;
+        logic [MantissaBits:0] mx, my, mz;
+        logic signed [ProductBits-1:0] ox, oy, oz;
+        logic [TimeBits-1:0] t_start, t_max, t_root, t_end;
+        logic [SearchBits-1:0] cell_x, cell_y;
+        logic [HmtLevelBits-1:0] low_x, low_y, high_x, high_y;
+        rising = comes ? `HMT_FROM.rising_q : rising_q;
+        falling = comes ? `HMT_FROM.falling_q : falling_q;
+        still_x = comes ? `HMT_FROM.still_x_q : still_x_q;
+        still_y = comes ? `HMT_FROM.still_y_q : still_y_q;
+        still_z = comes ? `HMT_FROM.still_z_q : still_z_q;
+        x0 = comes ? `HMT_FROM.x0_q : x0_q;
+        y0 = comes ? `HMT_FROM.y0_q : y0_q;
+        z0 = comes ? `HMT_FROM.z0_q : z0_q;
+        dx = comes ? `HMT_FROM.dx_q : dx_q;
+        dy = comes ? `HMT_FROM.dy_q : dy_q;
+        dz = comes ? `HMT_FROM.dz_q : dz_q;
+        ex = comes ? `HMT_FROM.ex_q : ex_q;
+        ey = comes ? `HMT_FROM.ey_q : ey_q;
+        ez = comes ? `HMT_FROM.ez_q : ez_q;
+        div_x = comes ? `HMT_FROM.div_x_q : div_x_q;
+        div_y = comes ? `HMT_FROM.div_y_q : div_y_q;
+        div_z = comes ? `HMT_FROM.div_z_q : div_z_q;
+        mx = comes ? `HMT_FROM.mx_q : mx_q;
+        my = comes ? `HMT_FROM.my_q : my_q;
+        mz = comes ? `HMT_FROM.mz_q : mz_q;
+        ox = comes ? `HMT_FROM.ox_q : ox_q;
+        oy = comes ? `HMT_FROM.oy_q : oy_q;
+        oz = comes ? `HMT_FROM.oz_q : oz_q;
+        t_start = comes ? `HMT_FROM.t_start_q : t_start_q;
+        t_max = comes ? `HMT_FROM.t_max_q : t_max_q;
+        t_root = comes ? `HMT_FROM.t_root_q : t_root_q;
+        t_end = comes ? `HMT_FROM.t_end_q : t_end_q;
+        cell_x = comes ? `HMT_FROM.cell_x_q : cell_x_q;
+        cell_y = comes ? `HMT_FROM.cell_y_q : cell_y_q;
+        low_x = comes ? `HMT_FROM.low_x_q : low_x_q;
+        low_y = comes ? `HMT_FROM.low_y_q : low_y_q;
+        high_x = comes ? `HMT_FROM.high_x_q : high_x_q;
+        high_y = comes ? `HMT_FROM.high_y_q : high_y_q;
+        step_q <= comes ? '0 : step_q + 1'b1;
+        if (comes && w > 0) begin
+          id_q <= `HMT_FROM.id_q;
+          dead_q <= `HMT_FROM.dead_q;
+          flip_x_q <= `HMT_FROM.flip_x_q;
+          flip_y_q <= `HMT_FROM.flip_y_q;
+          rising_q <= rising;
+          falling_q <= falling;
+          x0_q <= x0;
+          y0_q <= y0;
+          z0_q <= z0;
+          dx_q <= dx;
+          dy_q <= dy;
+          dz_q <= dz;
+          still_x_q <= still_x;
+          still_y_q <= still_y;
+          still_z_q <= still_z;
+          ex_q <= ex;
+          ey_q <= ey;
+          ez_q <= ez;
+          div_x_q <= div_x;
+          div_y_q <= div_y;
+          div_z_q <= div_z;
+          mx_q <= mx;
+          my_q <= my;
+          mz_q <= mz;
+          ox_q <= ox;
+          oy_q <= oy;
+          oz_q <= oz;
+          t_start_q <= t_start;
+          t_max_q <= t_max;
+          t_root_q <= t_root;
+          t_end_q <= t_end;
+          cell_x_q <= cell_x;
+          cell_y_q <= cell_y;
+          low_x_q <= low_x;
+          low_y_q <= low_y;
+          high_x_q <= high_x;
+          high_y_q <= high_y;
+        end
+        if (comes && w == 0) begin
+          id_q <= ray_id_i;
+          dead_q <= ray_dead_i;
+          x0_q <= ray_x0_i;
+          y0_q <= ray_y0_i;
+          z0_q <= ray_z0_i;
+          dx_q <= ray_dx_i;
+          dy_q <= ray_dy_i;
+          dz_q <= ray_dz_i;
+          t_max_q <= ray_t_max_i;
         end
 
-        if (age_q >= AgeBits'(AtDiv) && age_q < AgeBits'(AtOffset)) begin
-          div_x_q <= divide_2(div_x_q, dx_q);
-          div_y_q <= divide_2(div_y_q, dy_q);
-          div_z_q <= divide_2(div_z_q, dz_q);
+        if (`HMT_NOW(1)) begin  // mirror, normalise
+          flip_x_q <= dx[DirectionBits];
+          flip_y_q <= dy[DirectionBits];
+          rising_q <= ~dz[DirectionBits] & (dz != '0);
+          falling_q <= dz[DirectionBits];
+          if (dx[DirectionBits]) x0_q <= PositionBits'(side_plane <<< FractionBits) - x0;
+          if (dy[DirectionBits]) y0_q <= PositionBits'(side_plane <<< FractionBits) - y0;
+          still_x_q <= dx == '0;
+          still_y_q <= dy == '0;
+          still_z_q <= dz == '0;
+          ex_q <= normalising_shift(magnitude(dx));
+          ey_q <= normalising_shift(magnitude(dy));
+          ez_q <= normalising_shift(magnitude(dz));
+          dx_q <= {1'b0, normalised(magnitude(dx))};
+          dy_q <= {1'b0, normalised(magnitude(dy))};
+          dz_q <= {1'b0, normalised(magnitude(dz))};
+          div_x_q <= divide_from(normalised(magnitude(dx)));
+          div_y_q <= divide_from(normalised(magnitude(dy)));
+          div_z_q <= divide_from(normalised(magnitude(dz)));
         end
 
-        if (age_q == AgeBits'(AtOffset)) begin
-          mx_q <= still_x_q ? (MantissaBits + 1)'(1) : mantissa_of(div_x_q);
-          my_q <= still_y_q ? (MantissaBits + 1)'(1) : mantissa_of(div_y_q);
-          mz_q <= still_z_q ? (MantissaBits + 1)'(1) : mantissa_of(div_z_q);
-          ox_q <= still_x_q ? ProductBits'(x0_q) + ProductBits'(1)
-              : ProductBits'(x0_q) * $signed(ProductBits'({1'b0, mantissa_of(div_x_q)}));
-          oy_q <= still_y_q ? ProductBits'(y0_q) + ProductBits'(1)
-              : ProductBits'(y0_q) * $signed(ProductBits'({1'b0, mantissa_of(div_y_q)}));
-          oz_q <= still_z_q ? $signed(ProductBits'({1'b0, z0_q}))
-              : $signed(ProductBits'({1'b0, z0_q}))
-                  * $signed(ProductBits'({1'b0, mantissa_of(div_z_q)}));
-          if (still_x_q) ex_q <= '0;
-          if (still_y_q) ey_q <= '0;
-          if (still_z_q) ez_q <= '0;
+        if (`HMT_WITHIN(AtDiv, DivCycles)) begin
+          div_x_q <= divide_2(div_x, dx);
+          div_y_q <= divide_2(div_y, dy);
+          div_z_q <= divide_2(div_z, dz);
         end
 
-        if (age_q == AgeBits'(AtClip)) begin
+        if (`HMT_NOW(AtOffset)) begin
+          mx_q <= still_x ? (MantissaBits + 1)'(1) : mantissa_of(div_x);
+          my_q <= still_y ? (MantissaBits + 1)'(1) : mantissa_of(div_y);
+          mz_q <= still_z ? (MantissaBits + 1)'(1) : mantissa_of(div_z);
+          ox_q <= still_x ? ProductBits'(x0) + ProductBits'(1)
+              : ProductBits'(x0) * $signed(ProductBits'({1'b0, mantissa_of(div_x)}));
+          oy_q <= still_y ? ProductBits'(y0) + ProductBits'(1)
+              : ProductBits'(y0) * $signed(ProductBits'({1'b0, mantissa_of(div_y)}));
+          oz_q <= still_z ? $signed(ProductBits'({1'b0, z0}))
+              : $signed(ProductBits'({1'b0, z0})) * $signed(ProductBits'({1'b0, mantissa_of(div_z)}));
+          if (still_x) ex_q <= '0;
+          if (still_y) ey_q <= '0;
+          if (still_z) ez_q <= '0;
+        end
+
+        if (`HMT_NOW(AtClip)) begin
           t_start_q <= '0;
           if (cfg_border_i) begin
-            t_start_q <= later(time_of(-ox_q, still_x_q, ex_q, cfg_t_end_i),
-                                  time_of(-oy_q, still_y_q, ey_q, cfg_t_end_i));
+            t_start_q <= later(time_of(-ox, still_x, ex, cfg_t_end_i),
+                               time_of(-oy, still_y, ey, cfg_t_end_i));
           end
           // When a falling ray is on the floor, a rising one above everything.
-          t_root_q <= time_of(rising_q ? product($signed(ProductBits'({1'b0, cfg_root_bound_i})),
-                                                       mz_q, oz_q) : oz_q,
-                                 still_z_q, ez_q, cfg_t_end_i);
+          t_root_q <= time_of(rising ? product($signed(ProductBits'({1'b0, cfg_root_bound_i})), mz, oz) : oz,
+                              still_z, ez, cfg_t_end_i);
         end
 
-        if (age_q == AgeBits'(AtTest)) begin
-          if (cfg_border_i && (t_start_q >= time_of(product(side_plane, mx_q, ox_q), still_x_q,
-                                                       ex_q, cfg_t_end_i)
-              || t_start_q >= time_of(product(side_plane, my_q, oy_q), still_y_q, ey_q,
-                                         cfg_t_end_i)
-              || (falling_q && t_start_q > t_root_q))) begin
+        if (`HMT_NOW(AtTest)) begin
+          if (cfg_border_i && (
+              t_start >= time_of(product(side_plane, mx, ox), still_x, ex, cfg_t_end_i)
+              || t_start >= time_of(product(side_plane, my, oy), still_y, ey, cfg_t_end_i)
+              || (falling && t_start > t_root))) begin
             dead_q <= 1'b1;
           end
-          if (t_start_q >= t_max_q) dead_q <= 1'b1;
-          if (rising_q && t_root_q <= t_start_q) dead_q <= 1'b1;
-          t_end_q <= later(t_start_q, (!still_z_q && t_root_q < t_max_q) ? t_root_q
-                                                                                       : t_max_q);
-          cell_x_q <= {-ox_q, (t_start_q == '0 || still_x_q)
-                              ? PlaneBits'(x0_q >>> FractionBits) : PlaneBits'(0)};
-          cell_y_q <= {-oy_q, (t_start_q == '0 || still_y_q)
-                              ? PlaneBits'(y0_q >>> FractionBits) : PlaneBits'(0)};
+          if (t_start >= t_max) dead_q <= 1'b1;
+          if (rising && t_root <= t_start) dead_q <= 1'b1;
+          t_end_q <= later(t_start, (!still_z && t_root < t_max) ? t_root : t_max);
+          // The start cell: of the origin, or, of a ray that enters by the border, the first two bits.
+          if (t_start == '0) begin
+            cell_x_q <= {-ox, PlaneBits'(x0 >>> FractionBits)};
+            cell_y_q <= {-oy, PlaneBits'(y0 >>> FractionBits)};
+          end else begin
+            cell_x_q <= search_2({-ox, still_x ? PlaneBits'(x0 >>> FractionBits) : PlaneBits'(0)},
+                                 2 * CellCycles - 1, still_x, mx, ex, t_start);
+            cell_y_q <= search_2({-oy, still_y ? PlaneBits'(y0 >>> FractionBits) : PlaneBits'(0)},
+                                 2 * CellCycles - 1, still_y, my, ey, t_start);
+          end
           low_x_q <= '0;
           low_y_q <= '0;
           high_x_q <= cfg_root_level_i;
           high_y_q <= cfg_root_level_i;
         end
 
-        for (int unsigned b = 0; b < CellCycles; b++) begin
-          if (age_q == AgeBits'(AtCell + b) && t_start_q != '0) begin
-            cell_x_q <= search_2(cell_x_q, 2 * (CellCycles - b) - 1, still_x_q, mx_q, ex_q,
-                                    t_start_q);
-            cell_y_q <= search_2(cell_y_q, 2 * (CellCycles - b) - 1, still_y_q, my_q, ey_q,
-                                    t_start_q);
+        for (int unsigned b = 1; b < CellCycles; b++) begin
+          if (`HMT_NOW(AtTest + b) && t_start != '0) begin
+            cell_x_q <= search_2(cell_x, 2 * (CellCycles - b) - 1, still_x, mx, ex, t_start);
+            cell_y_q <= search_2(cell_y, 2 * (CellCycles - b) - 1, still_y, my, ey, t_start);
           end
         end
 
-        if (age_q >= AgeBits'(AtSpan) && age_q < AgeBits'(NeedsCycles)) begin
-          if (low_x_q < high_x_q) begin
-            if (ends_beyond(exit_plane(cell_x_q[PlaneBits-1:0], middle(low_x_q, high_x_q)), side_plane,
-                            cfg_border_i, still_x_q, mx_q, ox_q, ex_q, t_end_q,
-                            t_end_q == cfg_t_end_i)) begin
-              low_x_q <= middle(low_x_q, high_x_q) + 1'b1;
+        if (`HMT_WITHIN(AtSpan, SpanCycles)) begin
+          if (low_x < high_x) begin
+            if (ends_beyond(exit_plane(cell_x[PlaneBits-1:0], middle(low_x, high_x)), side_plane, cfg_border_i,
+                            still_x, mx, ox, ex, t_end, t_end == cfg_t_end_i)) begin
+              low_x_q <= middle(low_x, high_x) + 1'b1;
             end else begin
-              high_x_q <= middle(low_x_q, high_x_q);
+              high_x_q <= middle(low_x, high_x);
             end
           end
-          if (low_y_q < high_y_q) begin
-            if (ends_beyond(exit_plane(cell_y_q[PlaneBits-1:0], middle(low_y_q, high_y_q)), side_plane,
-                            cfg_border_i, still_y_q, my_q, oy_q, ey_q, t_end_q,
-                            t_end_q == cfg_t_end_i)) begin
-              low_y_q <= middle(low_y_q, high_y_q) + 1'b1;
+          if (low_y < high_y) begin
+            if (ends_beyond(exit_plane(cell_y[PlaneBits-1:0], middle(low_y, high_y)), side_plane, cfg_border_i,
+                            still_y, my, oy, ey, t_end, t_end == cfg_t_end_i)) begin
+              low_y_q <= middle(low_y, high_y) + 1'b1;
             end else begin
-              high_y_q <= middle(low_y_q, high_y_q);
+              high_y_q <= middle(low_y, high_y);
             end
           end
         end
-
-        if (free_i) busy_q <= 1'b0;
-      end else if (enter_i) begin
-        busy_q <= 1'b1;
-        age_q <= AgeBits'(1);
-        id_q <= ray_id_i;
-        x0_q <= ray_x0_i;
-        y0_q <= ray_y0_i;
-        z0_q <= ray_z0_i;
-        dx_q <= ray_dx_i;
-        dy_q <= ray_dy_i;
-        dz_q <= ray_dz_i;
-        t_max_q <= ray_t_max_i;
-        dead_q <= ray_dead_i;
       end
     end
   end
 
-  assign ready_o = busy_q & (age_q == AgeBits'(LatencyCycles));
+`undef HMT_FROM
+`undef HMT_NOW
+`undef HMT_WITHIN
 
-  logic [HmtLevelBits-1:0] span;
-  always_comb begin
-    span = (high_x_q > high_y_q) ? high_x_q : high_y_q;
-    if (span < cfg_stop_level_i) span = cfg_stop_level_i;
-    case (cfg_start_i)
-      HmtStartLeaf: out_level_o = cfg_stop_level_i;
-      HmtStartSpan: out_level_o = span;
-      default: out_level_o = cfg_root_level_i;
-    endcase
-  end
-  assign out_node_x_o = $signed(cell_x_q[PlaneBits-1:0]) >>> out_level_o;
-  assign out_node_y_o = $signed(cell_y_q[PlaneBits-1:0]) >>> out_level_o;
-  assign out_id_o = id_q;
-  assign out_dead_o = dead_q;
-  assign out_mx_o = mx_q;
-  assign out_my_o = my_q;
-  assign out_mz_o = mz_q;
-  assign out_ox_o = ox_q;
-  assign out_oy_o = oy_q;
-  assign out_oz_o = oz_q;
-  assign out_ex_o = ex_q;
-  assign out_ey_o = ey_q;
-  assign out_ez_o = ez_q;
-  assign out_still_x_o = still_x_q;
-  assign out_still_y_o = still_y_q;
-  assign out_still_z_o = still_z_q;
-  assign out_flip_x_o = flip_x_q;
-  assign out_flip_y_o = flip_y_q;
-  assign out_rising_o = rising_q;
-  assign out_t_start_o = t_start_q;
-  assign out_t_max_o = t_max_q;
-  assign out_t_root_o = t_root_q;
+  assign done_o = gen_window[Windows-1].busy_q & (gen_window[Windows-1].step_q == StepBits'(DoneCycles - 1 - (Windows - 1) * IntervalCycles));
+  assign out_id_o = gen_window[Windows-1].id_q;
+  assign out_dead_o = gen_window[Windows-1].dead_q;
+  assign out_mx_o = gen_window[Windows-1].mx_q;
+  assign out_my_o = gen_window[Windows-1].my_q;
+  assign out_mz_o = gen_window[Windows-1].mz_q;
+  assign out_ox_o = gen_window[Windows-1].ox_q;
+  assign out_oy_o = gen_window[Windows-1].oy_q;
+  assign out_oz_o = gen_window[Windows-1].oz_q;
+  assign out_ex_o = gen_window[Windows-1].ex_q;
+  assign out_ey_o = gen_window[Windows-1].ey_q;
+  assign out_ez_o = gen_window[Windows-1].ez_q;
+  assign out_still_x_o = gen_window[Windows-1].still_x_q;
+  assign out_still_y_o = gen_window[Windows-1].still_y_q;
+  assign out_still_z_o = gen_window[Windows-1].still_z_q;
+  assign out_flip_x_o = gen_window[Windows-1].flip_x_q;
+  assign out_flip_y_o = gen_window[Windows-1].flip_y_q;
+  assign out_rising_o = gen_window[Windows-1].rising_q;
+  assign out_t_start_o = gen_window[Windows-1].t_start_q;
+  assign out_t_max_o = gen_window[Windows-1].t_max_q;
+  assign out_t_root_o = gen_window[Windows-1].t_root_q;
+  assign out_cell_x_o = gen_window[Windows-1].cell_x_q[PlaneBits-1:0];
+  assign out_cell_y_o = gen_window[Windows-1].cell_y_q[PlaneBits-1:0];
+  assign out_span_x_o = gen_window[Windows-1].high_x_q;
+  assign out_span_y_o = gen_window[Windows-1].high_y_q;
 
 endmodule

@@ -1,7 +1,8 @@
 // traverse: one step of one ray per cycle, in a rigid pipe of Stages slots that go round.
 //
 // Ports: contexts from ray_setup (valid/ready), lookups to height_l1 and its answer in the same cycle, replays and
-// retries from height_l1, hit stream out (valid/ready). All but the choice within a cycle are registered.
+// retries from height_l1, hit stream out (valid/ready). All but the choice within a cycle are registered; what is
+// chosen follows from registers alone, hit_ready_i only enables it.
 // Timing: the slot at select holds a ray that has ended (it leaves by the hit stream; while that is not ready the
 // whole pipe stands still), a ray that goes on (its texel is looked up), or nothing: then the first that can takes
 // it: a replay, a retry, a new ray while fewer than Contexts are resident. A step is done when the slot is at
@@ -71,7 +72,7 @@ module traverse #(
     input  logic signed [   PlaneBits-1:0] in_node_y_i,
 
     output logic                   enable_o,           // the pipe moves
-    output logic                   lookup_valid_o,
+    output logic                   lookup_valid_o,     // lookup, retry and replay: if the pipe moves
     output logic                   lookup_retry_o,     // of the ray at the head of the retry FIFO
     output logic [AddressBits-1:0] lookup_address_o,   // bytes; of a replay too
     output logic [ContextBits-1:0] lookup_context_o,
@@ -98,144 +99,132 @@ module traverse #(
     output logic                   slot_step_o,  // what the cycle was, one of these or a miss or a bubble
     output logic                   slot_dead_o,
     output logic                   stalled_o,
-    output logic                   bubble_o,
     output logic                   full_o,       // every context is resident
     output logic [ContextBits:0]   resident_o
 );
 
   localparam int WriteBack = 6;
   localparam int TexelShift = (HeightBits > 8) ? 1 : 0;
+  localparam int LineBits = 1 + ShiftBits + MantissaBits + 1 + ProductBits;
+  localparam int PlaceBits = HmtLevelBits + 2 * PlaneBits;
+  localparam int CrossedBits = HmtLevelBits + 1;
+  localparam int StateBits = 32 + 2 + CrossedBits + 3;
 
 `include "traversal/line_functions.svh"
 
-  // ---- Contexts: what a ray brings along, and where it is. Written at entry and in stage 6.
-  logic        [      IdBits-1:0] id_q      [Contexts];
-  logic        [  MantissaBits:0] mx_q      [Contexts];
-  logic        [  MantissaBits:0] my_q      [Contexts];
-  logic        [  MantissaBits:0] mz_q      [Contexts];
-  logic signed [ ProductBits-1:0] ox_q      [Contexts];
-  logic signed [ ProductBits-1:0] oy_q      [Contexts];
-  logic signed [ ProductBits-1:0] oz_q      [Contexts];
-  logic        [   ShiftBits-1:0] ex_q      [Contexts];
-  logic        [   ShiftBits-1:0] ey_q      [Contexts];
-  logic        [   ShiftBits-1:0] ez_q      [Contexts];
-  logic                           still_x_q [Contexts];
-  logic                           still_y_q [Contexts];
-  logic                           still_z_q [Contexts];
-  logic                           flip_x_q  [Contexts];
-  logic                           flip_y_q  [Contexts];
-  logic                           rising_q  [Contexts];
-  logic        [    TimeBits-1:0] t_start_q [Contexts];
-  logic        [    TimeBits-1:0] t_max_q   [Contexts];
-  logic        [    TimeBits-1:0] t_root_q  [Contexts];
-  logic        [HmtLevelBits-1:0] level_q   [Contexts];
-  logic signed [   PlaneBits-1:0] node_x_q  [Contexts];
-  logic signed [   PlaneBits-1:0] node_y_q  [Contexts];
-  logic        [    TimeBits-1:0] t_cur_q   [Contexts];  // of a ray that has hit: when
-  logic        [             1:0] down_q    [Contexts];
-  logic        [  HmtLevelBits:0] crossed_q [Contexts];  // {valid, level of the crossing that the last step was}
-  logic        [            31:0] steps_q   [Contexts];
-  logic        [             2:0] face_q    [Contexts];  // none: no hit
-  logic        [    Contexts-1:0] resident_q;
-  logic        [   ContextBits:0] fill_q;
+  // Product over the breadth of a node.
+  function automatic logic signed [ProductBits-1:0] breadth(input logic [MantissaBits:0] mantissa,
+                                                            input logic [HmtLevelBits-1:0] level);
+    breadth = $signed({{(ProductBits - MantissaBits - 1) {1'b0}}, mantissa}) <<< (FractionBits + 32'(level));
+  endfunction
 
-  // ---- The slots: [0] is one cycle past select, [Stages - 1] at select.
+  // ---- Contexts: what a ray brings along (written at entry), and where it is (written in stage 6 too).
+  logic [   IdBits-1:0] id_q     [Contexts];
+  logic [          2:0] ways_q   [Contexts];  // {flip_x, flip_y, rising}
+  logic [ LineBits-1:0] line_x_q [Contexts];  // {still, shift, mantissa, offset}
+  logic [ LineBits-1:0] line_y_q [Contexts];
+  logic [ LineBits-1:0] line_z_q [Contexts];
+  logic [ TimeBits-1:0] t_start_q[Contexts];
+  logic [ TimeBits-1:0] t_max_q  [Contexts];
+  logic [ TimeBits-1:0] t_root_q [Contexts];
+  logic [PlaceBits-1:0] place_q  [Contexts];  // {level, node_x, node_y}
+  logic [ TimeBits-1:0] t_cur_q  [Contexts];  // of a ray that has hit: when
+  // {steps, down, crossed, face}; crossed: {valid, level of the crossing that the last step was}; face: none, no hit
+  logic [StateBits-1:0] state_q  [Contexts];
+  logic [ Contexts-1:0] resident_q;
+  logic [ContextBits:0] fill_q;
+
+  // ---- The slots: [0] is one cycle past select, [Stages - 1] at select; stage k works on slot k - 1.
   logic [Stages-1:0] slot_valid_q;
   logic [Stages-1:0] slot_ended_q;
-  logic [ContextBits-1:0] slot_context_q[Stages];
+  logic [Stages*ContextBits-1:0] slot_context_q;
+  logic [WriteBack:1] step_q;  // a step is in stage k
+  wire [ContextBits-1:0] context_1 = slot_context_q[0*ContextBits+:ContextBits];
+  wire [ContextBits-1:0] context_2 = slot_context_q[1*ContextBits+:ContextBits];
+  wire [ContextBits-1:0] context_3 = slot_context_q[2*ContextBits+:ContextBits];
+  wire [ContextBits-1:0] context_4 = slot_context_q[3*ContextBits+:ContextBits];
+  wire [ContextBits-1:0] context_5 = slot_context_q[4*ContextBits+:ContextBits];
+  wire [ContextBits-1:0] context_6 = slot_context_q[5*ContextBits+:ContextBits];
 
-  // ---- 0: select
-  wire [ContextBits-1:0] select_context = slot_context_q[Stages-1];
+  // ---- 0: select. All but the enable follows from registers: what the slot does if the pipe moves.
+  wire [ContextBits-1:0] select_context = slot_context_q[(Stages-1)*ContextBits+:ContextBits];
   wire ended = slot_valid_q[Stages-1] & slot_ended_q[Stages-1];
   wire goes_on = slot_valid_q[Stages-1] & ~slot_ended_q[Stages-1];
-  wire completes = ended & hit_ready_i;
-  wire enable = ~ended | hit_ready_i;
-  wire empty_slot = enable & ~goes_on;
-  wire replay = empty_slot & replay_valid_i;
-  wire retry = empty_slot & ~replay_valid_i & retry_valid_i;
-  wire room = completes | (fill_q != (ContextBits + 1)'(Contexts));
-  assign in_ready_o = empty_slot & ~replay_valid_i & ~retry_valid_i & room;
-  wire fresh = in_ready_o & in_valid_i;
+  wire replay = ~goes_on & replay_valid_i;
+  wire retry = ~goes_on & ~replay_valid_i & retry_valid_i;
+  wire room = ended | (fill_q != (ContextBits + 1)'(Contexts));
+  wire takes_new = ~goes_on & ~replay_valid_i & ~retry_valid_i & room;
+  wire fresh = takes_new & in_valid_i;
   wire fresh_dead = fresh & in_dead_i;
+  wire enable = ~ended | hit_ready_i;
 
-  logic [ContextBits-1:0] free_context;
+  logic [ContextBits-1:0] context_0;
   always_comb begin
-    free_context = select_context;  // of the ray that completes
-    for (int unsigned k = 0; k < Contexts; k++) begin
-      if (!completes && !resident_q[Contexts-1-k]) free_context = ContextBits'(Contexts - 1 - k);
+    context_0 = select_context;  // of the ray that goes on, or of the one that completes
+    if (replay) context_0 = replay_context_i;
+    else if (retry) context_0 = retry_context_i;
+    else if (fresh && !ended) begin  // the free one of lowest number
+      for (int unsigned k = 0; k < Contexts; k++) begin
+        if (!resident_q[Contexts-1-k]) context_0 = ContextBits'(Contexts - 1 - k);
+      end
     end
   end
 
-  wire [ContextBits-1:0] context_0 =
-      goes_on ? select_context : replay ? replay_context_i : retry ? retry_context_i : free_context;
-  wire [HmtLevelBits-1:0] level_0 = fresh ? in_level_i : level_q[context_0];
-  wire signed [PlaneBits-1:0] node_x_0 = fresh ? in_node_x_i : node_x_q[context_0];
-  wire signed [PlaneBits-1:0] node_y_0 = fresh ? in_node_y_i : node_y_q[context_0];
-  wire flip_x_0 = fresh ? in_flip_x_i : flip_x_q[context_0];
-  wire flip_y_0 = fresh ? in_flip_y_i : flip_y_q[context_0];
-
   // Node to address: the fetch index, then row-major or Morton order within the level.
-  logic [HmtLevelBits-1:0] bits_0;
+  logic [HmtLevelBits-1:0] level_0, bits_0;
+  logic signed [PlaneBits-1:0] node_x_0, node_y_0;
+  logic flip_x_0, flip_y_0;
   logic [MaxLevel-1:0] mask_0, i_0, j_0;
   logic [2*MaxLevel-1:0] index_0;
   always_comb begin
+    if (fresh) begin
+      {level_0, node_x_0, node_y_0} = {in_level_i, in_node_x_i, in_node_y_i};
+      {flip_x_0, flip_y_0} = {in_flip_x_i, in_flip_y_i};
+    end else begin
+      {level_0, node_x_0, node_y_0} = place_q[context_0];
+      {flip_x_0, flip_y_0} = ways_q[context_0][2:1];
+    end
     bits_0 = cfg_root_level_i - level_0;
     mask_0 = ~({MaxLevel{1'b1}} << bits_0);
     i_0 = (node_x_0[MaxLevel-1:0] ^ {MaxLevel{flip_x_0}}) & mask_0;
     j_0 = (node_y_0[MaxLevel-1:0] ^ {MaxLevel{flip_y_0}}) & mask_0;
-    index_0 = ({{MaxLevel{1'b0}}, j_0} << bits_0) | {{MaxLevel{1'b0}}, i_0};
+    index_0 = '0;
     if (cfg_morton_i) begin
       for (int unsigned b = 0; b < MaxLevel; b++) begin
         index_0[2*b] = i_0[b];
         index_0[2*b+1] = j_0[b];
       end
+    end else begin
+      index_0 = ({{MaxLevel{1'b0}}, j_0} << bits_0) | {{MaxLevel{1'b0}}, i_0};
     end
+    lookup_address_o = cfg_level_base_i[level_0*AddressBits+:AddressBits] + (AddressBits'(index_0) << TexelShift);
   end
-  assign lookup_address_o = cfg_level_base_i[level_0*AddressBits+:AddressBits] +
-      (AddressBits'(index_0) << TexelShift);
   assign lookup_context_o = context_0;
   assign lookup_valid_o = goes_on | retry | (fresh & ~in_dead_i);
   assign lookup_retry_o = retry;
   assign replay_take_o = replay;
   assign enable_o = enable;
+  assign in_ready_o = enable & takes_new;
   wire step_0 = replay | (lookup_valid_o & lookup_hit_i);
 
   assign slot_id_o = fresh ? in_id_i : id_q[context_0];
-  assign slot_step_o = step_0;
-  assign slot_dead_o = fresh_dead;
+  assign slot_step_o = enable & step_0;
+  assign slot_dead_o = enable & fresh_dead;
   assign stalled_o = ~enable;
-  assign bubble_o = empty_slot & ~replay & ~retry & ~fresh;
   assign full_o = ~room;
   assign resident_o = fill_q;
 
   // ---- 1: products of the exit planes
-  logic step_1_q;
-  logic [ContextBits-1:0] context_1_q;
   logic [HmtLevelBits-1:0] level_1_q;
   logic signed [PlaneBits-1:0] node_x_1_q, node_y_1_q;
-  wire signed [ProductBits-1:0] exit_x_1 = (ProductBits'(node_x_1_q) + ProductBits'(1)) <<< level_1_q;
-  wire signed [ProductBits-1:0] exit_y_1 = (ProductBits'(node_y_1_q) + ProductBits'(1)) <<< level_1_q;
 
   // ---- 2: times of planes, product of the texel
-  logic step_2_q;
-  logic [ContextBits-1:0] context_2_q;
   logic [HmtLevelBits-1:0] level_2_q;
   logic signed [PlaneBits-1:0] node_x_2_q, node_y_2_q;
   logic signed [ProductBits-1:0] px_2_q, py_2_q;
   logic [HeightBits-1:0] bound_2_q;
-  // Products over the breadth of a node: from the exit plane to the planes of entry and of the next node's exit.
-  wire signed [ProductBits-1:0] breadth_x_2 =
-      $signed(ProductBits'({1'b0, mx_q[context_2_q]})) <<< (FractionBits + 32'(level_2_q));
-  wire signed [ProductBits-1:0] breadth_y_2 =
-      $signed(ProductBits'({1'b0, my_q[context_2_q]})) <<< (FractionBits + 32'(level_2_q));
-  wire signed [ProductBits-1:0] enter_x_2 = px_2_q - breadth_x_2;
-  wire signed [ProductBits-1:0] enter_y_2 = py_2_q - breadth_y_2;
-  wire signed [ProductBits-1:0] rise_2 =
-      product($signed(ProductBits'({1'b0, bound_2_q})), mz_q[context_2_q], oz_q[context_2_q]);
 
   // ---- 3: time of the texel
-  logic step_3_q;
-  logic [ContextBits-1:0] context_3_q;
   logic [HmtLevelBits-1:0] level_3_q;
   logic signed [PlaneBits-1:0] node_x_3_q, node_y_3_q;
   logic signed [ProductBits-1:0] px_3_q, py_3_q, pz_3_q;
@@ -243,121 +232,29 @@ module traverse #(
   logic before_x_3_q, before_y_3_q;  // the entry plane's time is negative
 
   // ---- 4: hit, skip, cross
-  logic step_4_q;
-  logic [ContextBits-1:0] context_4_q;
   logic [HmtLevelBits-1:0] level_4_q;
   logic signed [PlaneBits-1:0] node_x_4_q, node_y_4_q;
   logic signed [ProductBits-1:0] px_4_q, py_4_q;
   logic [TimeBits-1:0] t_x_4_q, t_y_4_q, t_z_4_q, enter_t_x_4_q, enter_t_y_4_q, next_t_x_4_q, next_t_y_4_q;
   logic before_x_4_q, before_y_4_q, before_z_4_q;
-  wire rising_4 = rising_q[context_4_q];
-  wire [TimeBits-1:0] t_cur_4 = t_cur_q[context_4_q];
-  wire [TimeBits-1:0] t_start_4 = t_start_q[context_4_q];
-  wire [TimeBits-1:0] t_max_4 = t_max_q[context_4_q];
-  wire [TimeBits-1:0] t_out_4 = (t_x_4_q < t_y_4_q) ? t_x_4_q : t_y_4_q;
-  wire [TimeBits-1:0] reached_4 = rising_4 ? t_cur_4 : later(t_cur_4, t_z_4_q);
-  wire leaf_4 = level_4_q == cfg_stop_level_i;
-  wire [TimeBits-1:0] t_in_4 = later(t_start_4, later(enter_t_x_4_q, enter_t_y_4_q));
-  wire [TimeBits-1:0] t_hit_4 = rising_4 ? t_in_4 : later(t_in_4, t_z_4_q);
-  wire hits_4 = leaf_4 & (t_hit_4 < t_out_4) & (t_hit_4 < t_max_4) &
-      (~rising_4 | (~before_z_4_q & (t_in_4 < t_z_4_q)));
-  wire top_4 = ~rising_4 & ~before_z_4_q & (t_z_4_q >= t_in_4);
-  wire walls_4 = (~before_x_4_q & (enter_t_x_4_q >= t_start_4)) | (~before_y_4_q & (enter_t_y_4_q >= t_start_4));
-  wire wall_x_4 = ~before_x_4_q & (before_y_4_q | (enter_t_x_4_q >= enter_t_y_4_q));
-  wire [2:0] face_4 = top_4 ? HmtFaceTop : ~walls_4 ? HmtFaceInside : wall_x_4 ? HmtFaceWallX : HmtFaceWallY;
-  wire skip_4 = leaf_4 | (rising_4 ? (t_z_4_q <= t_cur_4) : (reached_4 >= t_out_4));
-  wire cross_x_4 = skip_4 & (t_x_4_q == t_out_4);
-  wire cross_y_4 = skip_4 & (t_y_4_q == t_out_4);
-  wire [TimeBits-1:0] next_x_4 = cross_x_4 ? next_t_x_4_q : t_x_4_q;
-  wire [TimeBits-1:0] next_y_4 = cross_y_4 ? next_t_y_4_q : t_y_4_q;
-  wire [TimeBits-1:0] beyond_4 = later(t_out_4, t_z_4_q);
-  wire neighbour_skipped_4 = rising_4 | (beyond_4 >= next_x_4) | (beyond_4 >= next_y_4);
-  // Half the breadth of the node, for the plane in its middle.
-  wire signed [ProductBits-1:0] half_x_4 =
-      ($signed(ProductBits'({1'b0, mx_q[context_4_q]})) <<< (FractionBits + 32'(level_4_q))) >>> 1;
-  wire signed [ProductBits-1:0] half_y_4 =
-      ($signed(ProductBits'({1'b0, my_q[context_4_q]})) <<< (FractionBits + 32'(level_4_q))) >>> 1;
-  wire upper_x_4 = at_most(px_4_q - half_x_4, still_x_q[context_4_q], ex_q[context_4_q], reached_4);
-  wire upper_y_4 = at_most(py_4_q - half_y_4, still_y_q[context_4_q], ey_q[context_4_q], reached_4);
 
   // ---- 5: next node and level
-  logic step_5_q;
-  logic [ContextBits-1:0] context_5_q;
   logic [HmtLevelBits-1:0] level_5_q;
   logic signed [PlaneBits-1:0] node_x_5_q, node_y_5_q;  // after crossing or descending
   logic signed [ProductBits-1:0] px_5_q, py_5_q;        // exit planes of the child
   logic hits_5_q, skip_5_q, cross_x_5_q, cross_y_5_q, neighbour_skipped_5_q;
   logic [2:0] face_5_q;
   logic [TimeBits-1:0] t_5_q;  // t_cur after the step, or when it hit
-  wire even_axis_5 = (cross_x_5_q & ~node_x_5_q[0]) | (cross_y_5_q & ~node_y_5_q[0]);
-  logic rule_5;
-  always_comb begin
-    case (cfg_up_i)
-      HmtUpAlways: rule_5 = 1'b1;
-      HmtUpInterval: rule_5 = ~level_5_q[0];
-      HmtUpEvenAxis: rule_5 = even_axis_5;
-      HmtUpBothEven: rule_5 = ~node_x_5_q[0] & ~node_y_5_q[0];
-      HmtUpSelective: rule_5 = neighbour_skipped_5_q;
-      HmtUpSelectiveEven: rule_5 = even_axis_5 & neighbour_skipped_5_q;
-      HmtUpCoherent: rule_5 = crossed_q[context_5_q] == {1'b1, level_5_q};
-      default: rule_5 = 1'b0;
-    endcase
-  end
-  wire up_5 = skip_5_q & (level_5_q < cfg_root_level_i) & rule_5;
-  wire signed [PlaneBits-1:0] node_x_5 = up_5 ? node_x_5_q >>> 1 : node_x_5_q;
-  wire signed [PlaneBits-1:0] node_y_5 = up_5 ? node_y_5_q >>> 1 : node_y_5_q;
-  wire [HmtLevelBits-1:0] level_5 =
-      level_5_q + {{(HmtLevelBits - 1) {1'b0}}, up_5} - {{(HmtLevelBits - 1) {1'b0}}, ~skip_5_q};
-  wire [HmtLevelBits-1:0] side_bits_5 = cfg_root_level_i - level_5;
-  wire outside_5 = cfg_border_i & (((node_x_5 >>> side_bits_5) != '0) | ((node_y_5 >>> side_bits_5) != '0));
-  wire misses_5 = (t_5_q >= t_max_q[context_5_q]) |
-      (rising_q[context_5_q] & (t_root_q[context_5_q] <= t_5_q)) | outside_5;
-  wire [1:0] down_5 = down_q[context_5_q];
-  // Levels below the stop level are never entered.
-  wire further_5 = ~skip_5_q & (down_5 > 2'd1) & (level_5 > cfg_stop_level_i);
-  wire further_twice_5 = further_5 & (down_5 > 2'd2) & (level_5 > cfg_stop_level_i + 1'b1);
 
   // ---- 6: further descents, write back
-  logic step_6_q;
-  logic [ContextBits-1:0] context_6_q;
   logic [HmtLevelBits-1:0] level_6_q;
   logic signed [PlaneBits-1:0] node_x_6_q, node_y_6_q;
   logic signed [ProductBits-1:0] px_6_q, py_6_q;
-  logic hits_6_q, misses_6_q, skip_6_q, further_6_q, further_twice_6_q;
-  logic [HmtLevelBits-1:0] crossed_6_q;
+  logic hits_6_q, misses_6_q, further_6_q, further_twice_6_q;
+  logic [1:0] down_6_q;
+  logic [CrossedBits-1:0] crossed_6_q;
   logic [2:0] face_6_q;
   logic [TimeBits-1:0] t_6_q;
-  wire still_x_6 = still_x_q[context_6_q];
-  wire still_y_6 = still_y_q[context_6_q];
-  wire [ShiftBits-1:0] ex_6 = ex_q[context_6_q];
-  wire [ShiftBits-1:0] ey_6 = ey_q[context_6_q];
-  wire signed [ProductBits-1:0] half_x_6 =
-      ($signed(ProductBits'({1'b0, mx_q[context_6_q]})) <<< (FractionBits + 32'(level_6_q))) >>> 1;
-  wire signed [ProductBits-1:0] half_y_6 =
-      ($signed(ProductBits'({1'b0, my_q[context_6_q]})) <<< (FractionBits + 32'(level_6_q))) >>> 1;
-  wire upper_x_6 = at_most(px_6_q - half_x_6, still_x_6, ex_6, t_6_q);
-  wire upper_y_6 = at_most(py_6_q - half_y_6, still_y_6, ey_6, t_6_q);
-  wire signed [ProductBits-1:0] child_px_6 = upper_x_6 ? px_6_q : px_6_q - half_x_6;
-  wire signed [ProductBits-1:0] child_py_6 = upper_y_6 ? py_6_q : py_6_q - half_y_6;
-  wire upper_again_x_6 = at_most(child_px_6 - (half_x_6 >>> 1), still_x_6, ex_6, t_6_q);
-  wire upper_again_y_6 = at_most(child_py_6 - (half_y_6 >>> 1), still_y_6, ey_6, t_6_q);
-  logic [HmtLevelBits-1:0] level_6;
-  logic signed [PlaneBits-1:0] node_x_6, node_y_6;
-  always_comb begin
-    level_6 = level_6_q;
-    node_x_6 = node_x_6_q;
-    node_y_6 = node_y_6_q;
-    if (further_6_q) begin
-      level_6 = level_6_q - 1'b1;
-      node_x_6 = (node_x_6_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x_6};
-      node_y_6 = (node_y_6_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y_6};
-    end
-    if (further_twice_6_q) begin
-      level_6 = level_6_q - HmtLevelBits'(2);
-      node_x_6 = (node_x_6 <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_again_x_6};
-      node_y_6 = (node_y_6 <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_again_y_6};
-    end
-  end
 
   always_ff @(posedge clk_i or negedge rst_ni) begin
     if (!rst_ni) begin
@@ -365,68 +262,76 @@ module traverse #(
       slot_ended_q <= '0;
       resident_q <= '0;
       fill_q <= '0;
-      step_1_q <= 1'b0;
-      step_2_q <= 1'b0;
-      step_3_q <= 1'b0;
-      step_4_q <= 1'b0;
-      step_5_q <= 1'b0;
-      step_6_q <= 1'b0;
+      step_q <= '0;
     end else if (enable) begin
-      fill_q <= fill_q + {{ContextBits{1'b0}}, fresh} - {{ContextBits{1'b0}}, completes};
-      if (completes) resident_q[select_context] <= 1'b0;
+      fill_q <= fill_q + {{ContextBits{1'b0}}, fresh} - {{ContextBits{1'b0}}, ended};
+      if (ended) resident_q[select_context] <= 1'b0;
       if (fresh) resident_q[context_0] <= 1'b1;
       slot_valid_q <= {slot_valid_q[Stages-2:0], step_0 | fresh_dead};
       slot_ended_q <= {slot_ended_q[Stages-2:0], fresh_dead};
-      if (step_6_q) slot_ended_q[WriteBack] <= hits_6_q | misses_6_q;
-      step_1_q <= step_0;
-      step_2_q <= step_1_q;
-      step_3_q <= step_2_q;
-      step_4_q <= step_3_q;
-      step_5_q <= step_4_q;
-      step_6_q <= step_5_q;
+      if (step_q[WriteBack]) slot_ended_q[WriteBack] <= hits_6_q | misses_6_q;
+      step_q <= {step_q[WriteBack-1:1], step_0};
     end
   end
 
+  // A stage computes only while a step is in it.
   always_ff @(posedge clk_i) begin
     if (enable) begin
-      slot_context_q[0] <= context_0;
-      for (int unsigned s = 1; s < Stages; s++) slot_context_q[s] <= slot_context_q[s-1];
+      slot_context_q <= {slot_context_q[(Stages-1)*ContextBits-1:0], context_0};
 
-      context_1_q <= context_0;
-      level_1_q <= level_0;
-      node_x_1_q <= node_x_0;
-      node_y_1_q <= node_y_0;
+      if (step_0) begin
+        level_1_q <= level_0;
+        node_x_1_q <= node_x_0;
+        node_y_1_q <= node_y_0;
+      end
 
-      if (step_1_q) begin
-        context_2_q <= context_1_q;
+      if (step_q[1]) begin : stage_1
+        logic [MantissaBits:0] mx, my;
+        logic signed [ProductBits-1:0] ox, oy;
+        {mx, ox} = line_x_q[context_1][MantissaBits+ProductBits:0];
+        {my, oy} = line_y_q[context_1][MantissaBits+ProductBits:0];
         level_2_q <= level_1_q;
         node_x_2_q <= node_x_1_q;
         node_y_2_q <= node_y_1_q;
-        px_2_q <= product(exit_x_1, mx_q[context_1_q], ox_q[context_1_q]);
-        py_2_q <= product(exit_y_1, my_q[context_1_q], oy_q[context_1_q]);
+        px_2_q <= product((ProductBits'(node_x_1_q) + ProductBits'(1)) <<< level_1_q, mx, ox);
+        py_2_q <= product((ProductBits'(node_y_1_q) + ProductBits'(1)) <<< level_1_q, my, oy);
         bound_2_q <= texel_i;
       end
 
-      if (step_2_q) begin
-        context_3_q <= context_2_q;
+      if (step_q[2]) begin : stage_2
+        logic still_x, still_y;
+        logic [ShiftBits-1:0] ex, ey;
+        logic [MantissaBits:0] mx, my, mz;
+        logic signed [ProductBits-1:0] oz, breadth_x, breadth_y, enter_x, enter_y, rise;
+        {still_x, ex, mx} = line_x_q[context_2][LineBits-1:ProductBits];
+        {still_y, ey, my} = line_y_q[context_2][LineBits-1:ProductBits];
+        {mz, oz} = line_z_q[context_2][MantissaBits+ProductBits:0];
+        // Products over the breadth of a node: from the exit plane to the planes of entry and of the next node's exit.
+        breadth_x = breadth(mx, level_2_q);
+        breadth_y = breadth(my, level_2_q);
+        enter_x = px_2_q - breadth_x;
+        enter_y = py_2_q - breadth_y;
+        rise = product($signed(ProductBits'({1'b0, bound_2_q})), mz, oz);
         level_3_q <= level_2_q;
         node_x_3_q <= node_x_2_q;
         node_y_3_q <= node_y_2_q;
         px_3_q <= px_2_q;
         py_3_q <= py_2_q;
-        pz_3_q <= rising_q[context_2_q] ? rise_2 : -rise_2;
-        t_x_3_q <= time_of(px_2_q, still_x_q[context_2_q], ex_q[context_2_q], cfg_t_end_i);
-        t_y_3_q <= time_of(py_2_q, still_y_q[context_2_q], ey_q[context_2_q], cfg_t_end_i);
-        enter_t_x_3_q <= time_of(enter_x_2, still_x_q[context_2_q], ex_q[context_2_q], cfg_t_end_i);
-        enter_t_y_3_q <= time_of(enter_y_2, still_y_q[context_2_q], ey_q[context_2_q], cfg_t_end_i);
-        before_x_3_q <= enter_x_2[ProductBits-1];
-        before_y_3_q <= enter_y_2[ProductBits-1];
-        next_t_x_3_q <= time_of(px_2_q + breadth_x_2, still_x_q[context_2_q], ex_q[context_2_q], cfg_t_end_i);
-        next_t_y_3_q <= time_of(py_2_q + breadth_y_2, still_y_q[context_2_q], ey_q[context_2_q], cfg_t_end_i);
+        pz_3_q <= ways_q[context_2][0] ? rise : -rise;
+        t_x_3_q <= time_of(px_2_q, still_x, ex, cfg_t_end_i);
+        t_y_3_q <= time_of(py_2_q, still_y, ey, cfg_t_end_i);
+        enter_t_x_3_q <= time_of(enter_x, still_x, ex, cfg_t_end_i);
+        enter_t_y_3_q <= time_of(enter_y, still_y, ey, cfg_t_end_i);
+        before_x_3_q <= enter_x[ProductBits-1];
+        before_y_3_q <= enter_y[ProductBits-1];
+        next_t_x_3_q <= time_of(px_2_q + breadth_x, still_x, ex, cfg_t_end_i);
+        next_t_y_3_q <= time_of(py_2_q + breadth_y, still_y, ey, cfg_t_end_i);
       end
 
-      if (step_3_q) begin
-        context_4_q <= context_3_q;
+      if (step_q[3]) begin : stage_3
+        logic still_z;
+        logic [ShiftBits-1:0] ez;
+        {still_z, ez} = line_z_q[context_3][LineBits-1-:ShiftBits+1];
         level_4_q <= level_3_q;
         node_x_4_q <= node_x_3_q;
         node_y_4_q <= node_y_3_q;
@@ -434,7 +339,7 @@ module traverse #(
         py_4_q <= py_3_q;
         t_x_4_q <= t_x_3_q;
         t_y_4_q <= t_y_3_q;
-        t_z_4_q <= time_of(pz_3_q, still_z_q[context_3_q], ez_q[context_3_q], cfg_t_end_i);
+        t_z_4_q <= time_of(pz_3_q, still_z, ez, cfg_t_end_i);
         before_z_4_q <= pz_3_q[ProductBits-1];
         enter_t_x_4_q <= enter_t_x_3_q;
         enter_t_y_4_q <= enter_t_y_3_q;
@@ -444,102 +349,181 @@ module traverse #(
         next_t_y_4_q <= next_t_y_3_q;
       end
 
-      if (step_4_q) begin
-        context_5_q <= context_4_q;
+      if (step_q[4]) begin : stage_4
+        logic rising, leaf, hits, top, walls, wall_x, skip, cross_x, cross_y, still_x, still_y, upper_x, upper_y;
+        logic [ShiftBits-1:0] ex, ey;
+        logic [MantissaBits:0] mx, my;
+        logic [TimeBits-1:0] t_cur, t_start, t_out, reached, t_in, t_hit, next_x, next_y, beyond;
+        logic signed [ProductBits-1:0] half_x, half_y;
+        {still_x, ex, mx} = line_x_q[context_4][LineBits-1:ProductBits];
+        {still_y, ey, my} = line_y_q[context_4][LineBits-1:ProductBits];
+        rising = ways_q[context_4][0];
+        t_cur = t_cur_q[context_4];
+        t_start = t_start_q[context_4];
+        t_out = (t_x_4_q < t_y_4_q) ? t_x_4_q : t_y_4_q;
+        reached = rising ? t_cur : later(t_cur, t_z_4_q);
+        leaf = level_4_q == cfg_stop_level_i;
+        t_in = later(t_start, later(enter_t_x_4_q, enter_t_y_4_q));
+        t_hit = rising ? t_in : later(t_in, t_z_4_q);
+        hits = leaf & (t_hit < t_out) & (t_hit < t_max_q[context_4]) &
+            (~rising | (~before_z_4_q & (t_in < t_z_4_q)));
+        top = ~rising & ~before_z_4_q & (t_z_4_q >= t_in);
+        walls = (~before_x_4_q & (enter_t_x_4_q >= t_start)) | (~before_y_4_q & (enter_t_y_4_q >= t_start));
+        wall_x = ~before_x_4_q & (before_y_4_q | (enter_t_x_4_q >= enter_t_y_4_q));
+        skip = leaf | (rising ? (t_z_4_q <= t_cur) : (reached >= t_out));
+        cross_x = skip & (t_x_4_q == t_out);
+        cross_y = skip & (t_y_4_q == t_out);
+        next_x = cross_x ? next_t_x_4_q : t_x_4_q;
+        next_y = cross_y ? next_t_y_4_q : t_y_4_q;
+        beyond = later(t_out, t_z_4_q);
         level_5_q <= level_4_q;
-        hits_5_q <= hits_4;
-        skip_5_q <= skip_4;
-        cross_x_5_q <= cross_x_4;
-        cross_y_5_q <= cross_y_4;
-        neighbour_skipped_5_q <= neighbour_skipped_4;
-        face_5_q <= face_4;
-        t_5_q <= hits_4 ? t_hit_4 : skip_4 ? t_out_4 : reached_4;
+        hits_5_q <= hits;
+        skip_5_q <= skip;
+        cross_x_5_q <= cross_x;
+        cross_y_5_q <= cross_y;
+        neighbour_skipped_5_q <= rising | (beyond >= next_x) | (beyond >= next_y);
+        face_5_q <= top ? HmtFaceTop : ~walls ? HmtFaceInside : wall_x ? HmtFaceWallX : HmtFaceWallY;
+        t_5_q <= hits ? t_hit : skip ? t_out : reached;
         node_x_5_q <= node_x_4_q;
         node_y_5_q <= node_y_4_q;
-        if (!hits_4) begin
-          node_x_5_q <= skip_4 ? node_x_4_q + {{(PlaneBits - 1) {1'b0}}, cross_x_4}
-                               : (node_x_4_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x_4};
-          node_y_5_q <= skip_4 ? node_y_4_q + {{(PlaneBits - 1) {1'b0}}, cross_y_4}
-                               : (node_y_4_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y_4};
+        if (skip) begin
+          if (!hits) begin
+            node_x_5_q <= node_x_4_q + {{(PlaneBits - 1) {1'b0}}, cross_x};
+            node_y_5_q <= node_y_4_q + {{(PlaneBits - 1) {1'b0}}, cross_y};
+          end
+        end else begin
+          // Half the breadth of the node, for the plane in its middle.
+          half_x = breadth(mx, level_4_q) >>> 1;
+          half_y = breadth(my, level_4_q) >>> 1;
+          upper_x = at_most(px_4_q - half_x, still_x, ex, reached);
+          upper_y = at_most(py_4_q - half_y, still_y, ey, reached);
+          node_x_5_q <= (node_x_4_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
+          node_y_5_q <= (node_y_4_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
+          px_5_q <= upper_x ? px_4_q : px_4_q - half_x;
+          py_5_q <= upper_y ? py_4_q : py_4_q - half_y;
         end
-        px_5_q <= upper_x_4 ? px_4_q : px_4_q - half_x_4;
-        py_5_q <= upper_y_4 ? py_4_q : py_4_q - half_y_4;
       end
 
-      if (step_5_q) begin
-        context_6_q <= context_5_q;
+      if (step_q[5]) begin : stage_5
+        logic even_axis, rule, up, outside, further;
+        logic [1:0] down;
+        logic [CrossedBits-1:0] crossed;
+        logic signed [PlaneBits-1:0] node_x, node_y;
+        logic [HmtLevelBits-1:0] level, side_bits;
+        {down, crossed} = state_q[context_5][3+:CrossedBits+2];
+        even_axis = (cross_x_5_q & ~node_x_5_q[0]) | (cross_y_5_q & ~node_y_5_q[0]);
+        case (cfg_up_i)
+          HmtUpAlways: rule = 1'b1;
+          HmtUpInterval: rule = ~level_5_q[0];
+          HmtUpEvenAxis: rule = even_axis;
+          HmtUpBothEven: rule = ~node_x_5_q[0] & ~node_y_5_q[0];
+          HmtUpSelective: rule = neighbour_skipped_5_q;
+          HmtUpSelectiveEven: rule = even_axis & neighbour_skipped_5_q;
+          HmtUpCoherent: rule = crossed == {1'b1, level_5_q};
+          default: rule = 1'b0;
+        endcase
+        up = skip_5_q & (level_5_q < cfg_root_level_i) & rule;
+        node_x = up ? node_x_5_q >>> 1 : node_x_5_q;
+        node_y = up ? node_y_5_q >>> 1 : node_y_5_q;
+        level = level_5_q + {{(HmtLevelBits - 1) {1'b0}}, up} - {{(HmtLevelBits - 1) {1'b0}}, ~skip_5_q};
+        side_bits = cfg_root_level_i - level;
+        outside = cfg_border_i & (((node_x >>> side_bits) != '0) | ((node_y >>> side_bits) != '0));
+        // Levels below the stop level are never entered.
+        further = ~skip_5_q & ~hits_5_q & (down > 2'd1) & (level > cfg_stop_level_i);
         hits_6_q <= hits_5_q;
-        misses_6_q <= misses_5;
-        skip_6_q <= skip_5_q;
-        face_6_q <= face_5_q;
+        misses_6_q <= (t_5_q >= t_max_q[context_5]) |
+            (ways_q[context_5][0] & (t_root_q[context_5] <= t_5_q)) | outside;
+        face_6_q <= hits_5_q ? face_5_q : HmtFaceNone;
         t_6_q <= t_5_q;
-        crossed_6_q <= level_5_q;
-        level_6_q <= hits_5_q ? level_5_q : level_5;
-        node_x_6_q <= hits_5_q ? node_x_5_q : node_x_5;
-        node_y_6_q <= hits_5_q ? node_y_5_q : node_y_5;
+        down_6_q <= skip_5_q ? 2'd1 : down;
+        crossed_6_q <= {skip_5_q, level_5_q};
+        level_6_q <= hits_5_q ? level_5_q : level;
+        node_x_6_q <= hits_5_q ? node_x_5_q : node_x;
+        node_y_6_q <= hits_5_q ? node_y_5_q : node_y;
         px_6_q <= px_5_q;
         py_6_q <= py_5_q;
-        further_6_q <= further_5 & ~hits_5_q;
-        further_twice_6_q <= further_twice_5 & ~hits_5_q;
+        further_6_q <= further;
+        further_twice_6_q <= further & (down > 2'd2) & (level > cfg_stop_level_i + 1'b1);
       end
 
-      if (step_6_q) begin
-        level_q[context_6_q] <= level_6;
-        node_x_q[context_6_q] <= node_x_6;
-        node_y_q[context_6_q] <= node_y_6;
-        t_cur_q[context_6_q] <= t_6_q;
-        crossed_q[context_6_q] <= {skip_6_q, crossed_6_q};
-        face_q[context_6_q] <= hits_6_q ? face_6_q : HmtFaceNone;
-        steps_q[context_6_q] <= steps_q[context_6_q] + 32'd1;
-        if (skip_6_q) down_q[context_6_q] <= 2'd1;
+      if (step_q[6]) begin : stage_6
+        logic still_x, still_y, upper_x, upper_y;
+        logic [ShiftBits-1:0] ex, ey;
+        logic [MantissaBits:0] mx, my;
+        logic signed [ProductBits-1:0] px, py, half_x, half_y;
+        logic signed [PlaneBits-1:0] node_x, node_y;
+        logic [HmtLevelBits-1:0] level;
+        level = level_6_q;
+        node_x = node_x_6_q;
+        node_y = node_y_6_q;
+        if (further_6_q) begin
+          {still_x, ex, mx} = line_x_q[context_6][LineBits-1:ProductBits];
+          {still_y, ey, my} = line_y_q[context_6][LineBits-1:ProductBits];
+          half_x = breadth(mx, level_6_q) >>> 1;
+          half_y = breadth(my, level_6_q) >>> 1;
+          upper_x = at_most(px_6_q - half_x, still_x, ex, t_6_q);
+          upper_y = at_most(py_6_q - half_y, still_y, ey, t_6_q);
+          level = level_6_q - 1'b1;
+          node_x = (node_x <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
+          node_y = (node_y <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
+          if (further_twice_6_q) begin
+            px = upper_x ? px_6_q : px_6_q - half_x;
+            py = upper_y ? py_6_q : py_6_q - half_y;
+            upper_x = at_most(px - (half_x >>> 1), still_x, ex, t_6_q);
+            upper_y = at_most(py - (half_y >>> 1), still_y, ey, t_6_q);
+            level = level_6_q - HmtLevelBits'(2);
+            node_x = (node_x <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
+            node_y = (node_y <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
+          end
+        end
+        place_q[context_6] <= {level, node_x, node_y};
+        t_cur_q[context_6] <= t_6_q;
+        state_q[context_6] <= {state_q[context_6][StateBits-1-:32] + 32'd1, down_6_q, crossed_6_q, face_6_q};
       end
 
       if (fresh) begin
         id_q[context_0] <= in_id_i;
-        mx_q[context_0] <= in_mx_i;
-        my_q[context_0] <= in_my_i;
-        mz_q[context_0] <= in_mz_i;
-        ox_q[context_0] <= in_ox_i;
-        oy_q[context_0] <= in_oy_i;
-        oz_q[context_0] <= in_oz_i;
-        ex_q[context_0] <= in_ex_i;
-        ey_q[context_0] <= in_ey_i;
-        ez_q[context_0] <= in_ez_i;
-        still_x_q[context_0] <= in_still_x_i;
-        still_y_q[context_0] <= in_still_y_i;
-        still_z_q[context_0] <= in_still_z_i;
-        flip_x_q[context_0] <= in_flip_x_i;
-        flip_y_q[context_0] <= in_flip_y_i;
-        rising_q[context_0] <= in_rising_i;
+        ways_q[context_0] <= {in_flip_x_i, in_flip_y_i, in_rising_i};
+        line_x_q[context_0] <= {in_still_x_i, in_ex_i, in_mx_i, in_ox_i};
+        line_y_q[context_0] <= {in_still_y_i, in_ey_i, in_my_i, in_oy_i};
+        line_z_q[context_0] <= {in_still_z_i, in_ez_i, in_mz_i, in_oz_i};
         t_start_q[context_0] <= in_t_start_i;
         t_max_q[context_0] <= in_t_max_i;
         t_root_q[context_0] <= in_t_root_i;
-        level_q[context_0] <= in_level_i;
-        node_x_q[context_0] <= in_node_x_i;
-        node_y_q[context_0] <= in_node_y_i;
+        place_q[context_0] <= {in_level_i, in_node_x_i, in_node_y_i};
         t_cur_q[context_0] <= in_t_start_i;
-        down_q[context_0] <= cfg_down_i;
-        crossed_q[context_0] <= '0;
-        steps_q[context_0] <= '0;
-        face_q[context_0] <= HmtFaceNone;
+        state_q[context_0] <= {32'd0, cfg_down_i, {CrossedBits{1'b0}}, HmtFaceNone};
       end
     end
   end
 
-  // ---- The hit stream. The cell is in the map's own frame, unwrapped.
-  wire hit = face_q[select_context] != HmtFaceNone;
-  wire signed [PlaneBits-1:0] last_node =
-      (PlaneBits'(1) << (cfg_root_level_i - level_q[select_context])) - PlaneBits'(1);
+  // ---- The hit stream, zeros while no ray has ended. The cell is in the map's own frame, unwrapped.
+  logic [HmtLevelBits-1:0] end_level;
+  logic signed [PlaneBits-1:0] end_x, end_y, last_node;
   assign hit_valid_o = ended;
-  assign hit_id_o = id_q[select_context];
-  assign hit_status_o = hit;
-  assign hit_face_o = face_q[select_context];
-  assign hit_level_o = hit ? level_q[select_context] : '0;
-  assign hit_i_o = ~hit ? '0 : flip_x_q[select_context] ? last_node - node_x_q[select_context]
-                                                         : node_x_q[select_context];
-  assign hit_j_o = ~hit ? '0 : flip_y_q[select_context] ? last_node - node_y_q[select_context]
-                                                         : node_y_q[select_context];
-  assign hit_t_o = hit ? t_cur_q[select_context] : '0;
-  assign hit_steps_o = steps_q[select_context];
+  always_comb begin
+    hit_id_o = '0;
+    hit_status_o = 1'b0;
+    hit_face_o = HmtFaceNone;
+    hit_level_o = '0;
+    hit_i_o = '0;
+    hit_j_o = '0;
+    hit_t_o = '0;
+    hit_steps_o = '0;
+    {end_level, end_x, end_y} = place_q[select_context];
+    last_node = (PlaneBits'(1) << (cfg_root_level_i - end_level)) - PlaneBits'(1);
+    if (ended) begin
+      hit_id_o = id_q[select_context];
+      hit_steps_o = state_q[select_context][StateBits-1-:32];
+      hit_face_o = state_q[select_context][2:0];
+      if (hit_face_o != HmtFaceNone) begin
+        hit_status_o = 1'b1;
+        hit_level_o = end_level;
+        hit_i_o = ways_q[select_context][2] ? last_node - end_x : end_x;
+        hit_j_o = ways_q[select_context][1] ? last_node - end_y : end_y;
+        hit_t_o = t_cur_q[select_context];
+      end
+    end
+  end
 
 endmodule
