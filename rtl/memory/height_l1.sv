@@ -24,7 +24,7 @@ module height_l1 #(
     input logic clk_i,
     input logic rst_ni,
 
-    input  logic                   enable_i,          // the pipe moves: lookup, retry and replay happen, the texel follows
+    input  logic                   enable_i,          // the pipe moves: what is asked happens, the texel follows
     input  logic                   lookup_valid_i,
     input  logic                   lookup_retry_i,
     input  logic [AddressBits-1:0] lookup_address_i,  // bytes

@@ -457,7 +457,8 @@ module ray_setup_engine #(
 `undef HMT_NOW
 `undef HMT_WITHIN
 
-  assign done_o = gen_window[Windows-1].busy_q & (gen_window[Windows-1].step_q == StepBits'(DoneCycles - 1 - (Windows - 1) * IntervalCycles));
+  assign done_o = gen_window[Windows-1].busy_q &
+      (gen_window[Windows-1].step_q == StepBits'(DoneCycles - 1 - (Windows - 1) * IntervalCycles));
   assign out_id_o = gen_window[Windows-1].id_q;
   assign out_dead_o = gen_window[Windows-1].dead_q;
   assign out_mx_o = gen_window[Windows-1].mx_q;
