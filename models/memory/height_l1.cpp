@@ -40,18 +40,13 @@ HeightL1::Answer HeightL1::miss(uint32_t line, uint32_t first_way, int context, 
   return Answer::kAllocated;
 }
 
-/// One fill a cycle: the first cycle that no other pending fill has booked.
 Cycle HeightL1::earliest(Cycle response) const {
-  Cycle lands = response;
-  for (bool moved = true; moved;) {
-    lands = PortStalls::free_from(stalls_, Port::kMemoryResponse, pipeline_, lands);
-    moved = false;
+  return first_free_landing(response, stalls_, pipeline_, [&](Cycle lands) {
     for (uint64_t bits = pending_; bits != 0; bits &= bits - 1) {
-      if (mshrs_[static_cast<size_t>(std::countr_zero(bits))].lands == lands) moved = true;
+      if (mshrs_[static_cast<size_t>(std::countr_zero(bits))].lands == lands) return true;
     }
-    if (moved) ++lands;
-  }
-  return lands;
+    return false;
+  });
 }
 
 void HeightL1::respond(int slot, Cycle response) {

@@ -16,6 +16,16 @@
 
 namespace cuesta {
 
+/// One fill a cycle: the first cycle from `response` on that is not held back and that no other pending fill has
+/// `booked(cycle)`.
+template <class Booked>
+Cycle first_free_landing(Cycle response, const PortStalls* stalls, int pipeline, Booked booked) {
+  for (Cycle lands = response;; ++lands) {
+    lands = PortStalls::free_from(stalls, Port::kMemoryResponse, pipeline, lands);
+    if (!booked(lands)) return lands;
+  }
+}
+
 /// height_l1: the private cache of pyramid texels of one pipeline; non-blocking, misses parked and merged
 /// (`accumulate`, after the ray accumulation unit of the T&I engine).
 ///
@@ -83,12 +93,15 @@ class HeightL1 final : public MemoryClient {
   Cycle next_landing() const { return next_landing_; }
 
   bool replay_waiting() const { return !landed_.empty(); }
+  /// The context that `replay` would let go on.
+  int replay_context() const { return mshrs_[static_cast<size_t>(landed_.front())].first_waiter; }
   /// The context whose ray goes on; in `cycle`.
   int replay(Cycle cycle);
 
   void push_retry(int context) { retry_.push_back(context); }
   /// A slot does one thing a cycle, so an MSHR freed by this cycle's replay is never asked for in this cycle.
   bool retry_possible() const { return !retry_.empty() && free_mshrs_ != 0; }
+  int retry_context() const { return retry_.front(); }
   int pop_retry() {
     const int context = retry_.front();
     retry_.pop_front();

@@ -62,6 +62,9 @@ class RaySetupUnit {
   /// The first cycle in which the next ray may be taken; kNever when none is known.
   Cycle next_ready() const { return ready_.empty() ? kNever : ready_.front().cycle; }
 
+  /// Its position in the machine's order.
+  uint32_t next_ray() const { return ready_.front().ray; }
+
   Ready take(Cycle cycle) {
     const Ready taken = ready_.front();
     taken_[(static_cast<size_t>(entered_) - ready_.size()) % taken_.size()] = cycle;

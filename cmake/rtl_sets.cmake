@@ -1,0 +1,38 @@
+# The parameter sets of the hardware: rows of rtl/sets.csv.
+set(CUESTA_RTL_SETS large CACHE STRING
+    "Sets of rtl/sets.csv to compile beside tiny, mobile and desktop: names, separated by semicolons, or `all`")
+
+# cuesta_rtl_sets(NAMES): the names of the rows to compile, in the file's order. For each, SET_<name>_VALUES and
+# SET_<name>_PARAMETERS (Name=value ...) are set.
+function(cuesta_rtl_sets names_out)
+  set(table "${PROJECT_SOURCE_DIR}/rtl/sets.csv")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${table}")
+  file(STRINGS "${table}" rows)
+  list(POP_FRONT rows header)
+  string(REPLACE "," ";" columns "${header}")
+  list(POP_FRONT columns)
+  set(known)
+  set(names)
+  foreach(row IN LISTS rows)
+    string(REPLACE "," ";" values "${row}")
+    list(POP_FRONT values name)
+    list(APPEND known ${name})
+    if(NOT name MATCHES "^(tiny|mobile|desktop)$" AND NOT "all" IN_LIST CUESTA_RTL_SETS
+        AND NOT name IN_LIST CUESTA_RTL_SETS)
+      continue()
+    endif()
+    list(APPEND names ${name})
+    set(parameters)
+    foreach(column value IN ZIP_LISTS columns values)
+      list(APPEND parameters "${column}=${value}")
+    endforeach()
+    set(SET_${name}_VALUES "${values}" PARENT_SCOPE)
+    set(SET_${name}_PARAMETERS "${parameters}" PARENT_SCOPE)
+  endforeach()
+  foreach(name IN LISTS CUESTA_RTL_SETS)
+    if(NOT name IN_LIST known AND NOT name STREQUAL "all")
+      message(FATAL_ERROR "CUESTA_RTL_SETS names ${name}; accepted are rows of rtl/sets.csv: ${known}")
+    endif()
+  endforeach()
+  set(${names_out} "${names}" PARENT_SCOPE)
+endfunction()

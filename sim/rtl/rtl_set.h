@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace cuesta::rtl {
+
+class HmtTopPort;
+class TraversePort;
+
+/// What the hardware is compiled for: the parameters of rtl/hmt_top.sv, in the order of the columns of rtl/sets.csv.
+struct RtlParameters {
+  int max_level, height_bits, fraction_bits, direction_bits, mantissa_bits, tile_bits;
+  int setup_latency, setup_interval, setup_queue;
+  int stages, contexts;
+  int size_bytes, line_bytes, ways, mshrs;
+};
+
+/// One set of parameters for which this program holds Verilated hardware. `seed`: of the values that registers without
+/// a reset begin with; 0: zeros.
+struct RtlSet {
+  std::string_view name;
+  RtlParameters parameters;
+  std::unique_ptr<HmtTopPort> (*make_hmt_top)(int seed);
+  std::unique_ptr<TraversePort> (*make_traverse)(int seed);
+};
+
+/// In the order of rtl/sets.csv; empty in a program built with CUESTA_RTL=OFF.
+std::span<const RtlSet> rtl_sets();
+
+}  // namespace cuesta::rtl

@@ -1,0 +1,88 @@
+#include "sim/rtl/rtl_unit.h"
+
+#include "models/common/error.h"
+
+namespace cuesta::rtl {
+
+RtlJob::RtlJob(const Workload& workload, const TexelLayout& texels, const RtlSet& compiled, int random_seed)
+    : work(workload),
+      layout(texels),
+      set(compiled),
+      image(texels.write_image(*workload.pyramid)),
+      seed(random_seed) {
+  image.resize(image.size() + static_cast<size_t>(compiled.parameters.line_bytes));
+}
+
+void RtlUnit::advance(Cycle limit) {
+  while (cycle_ < limit && !finished()) {
+    if (cycle_ == wave_first_) [[unlikely]]
+      waves().open_waves(wave_file_, cycle_);
+    tick();
+    if (cycle_ == wave_last_) [[unlikely]]
+      waves().close_waves();
+    ++cycle_;
+    if (site_.watchdog.expired(cycle_) && !starved()) {
+      throw Error(ExitCode::kNoProgress,
+                  "no step was finished for " + std::to_string(site_.watchdog.limit) +
+                      " cycles (machine.no_progress_cycles), since cycle " +
+                      std::to_string(site_.watchdog.last_progress) + ": " + who_waits());
+    }
+  }
+}
+
+void RtlUnit::drain_until(Cycle end) {
+  for (; cycle_ < end; ++cycle_) tick();
+}
+
+bool RtlUnit::finished() const {
+  return inside() == 0 && site_.dispatch.queue(site_.pipeline).empty() && site_.dispatch.all_sent();
+}
+
+bool RtlUnit::starved() const {
+  return inside() == 0 && site_.dispatch.queue(site_.pipeline).empty() && site_.dispatch.starved();
+}
+
+void RtlUnit::record_waves(const std::string& file, Cycle first, Cycle last) {
+  wave_file_ = file;
+  wave_first_ = first;
+  wave_last_ = last;
+}
+
+bool RtlUnit::hit_queue_ready() {
+  if (cycle_ < hits_open_from_ || blocked(Port::kHitStream)) return false;
+  if (site_.hit_queue.full()) site_.writer.advance(cycle_);
+  return !site_.hit_queue.full();
+}
+
+bool RtlUnit::no_ray_to_come() {
+  return site_.dispatch.queue(site_.pipeline).empty() && site_.dispatch.all_sent() &&
+         site_.dispatch.last_sent() < cycle_;
+}
+
+void RtlUnit::count_slot(HmtTopPort::Slot slot, uint32_t number) {
+  using Slot = HmtTopPort::Slot;
+  if (slot == Slot::kBubble || slot == Slot::kStall) return;
+  RayTiming& timing = site_.timing[site_.order[number]];
+  in_context_ += timing.issue_slots++ == 0;
+  timing.misses += slot == Slot::kMiss;
+  if (slot == Slot::kStep || slot == Slot::kDead) site_.watchdog.last_progress = cycle_;
+}
+
+void RtlUnit::retire(HitRecord record, Cycle sent) {
+  site_.writer.advance(cycle_);
+  const auto number = static_cast<uint32_t>(record.ray_id);
+  const uint32_t trace = site_.order[number];
+  site_.hit_queue.push(number, cycle_);
+  record.ray_id = job_.work.rays[trace].id;
+  site_.hits[trace] = record;
+  RayTiming& timing = site_.timing[trace];
+  timing.completed = cycle_;
+  timing.latency = static_cast<uint32_t>(cycle_ - sent);
+  timing.fetches = {record.steps, record.steps};
+  site_.watchdog.last_progress = cycle_;
+  if (completions_ != nullptr) completions_->push_back(trace);
+  ++rays_completed_;
+  --in_context_;
+}
+
+}  // namespace cuesta::rtl

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "models/heightmap/texel_layout.h"
+#include "models/traversal/hmt_unit.h"
+#include "sim/machine.h"
+#include "sim/rtl/hmt_top_port.h"
+#include "sim/rtl/rtl_set.h"
+
+namespace cuesta::rtl {
+
+/// What all pipelines with Verilated hardware share. References outlive the units.
+struct RtlJob {
+  const Workload& work;
+  const TexelLayout& layout;
+  const RtlSet& set;
+  std::vector<std::byte> image;  ///< pyramid in memory, a line longer than it
+  int seed;                      ///< of what registers without a reset begin with; 0: zeros
+
+  RtlJob(const Workload& workload, const TexelLayout& texels, const RtlSet& compiled, int random_seed);
+};
+
+/// A pipeline with Verilated hardware inside, ticked cycle by cycle. What it measures is what the hardware's ports show.
+class RtlUnit : public HmtUnit {
+ public:
+  void advance(Cycle limit) final;
+  Cycle cycle() const final { return cycle_; }
+  bool finished() const final;
+  bool starved() const final;
+  void drain_until(Cycle end) final;
+  void hold_hits_until(Cycle cycle) final { hits_open_from_ = cycle; }
+  void log_completions(std::vector<uint32_t>* rays) final { completions_ = rays; }
+  int64_t completed() const final { return rays_completed_; }
+
+  /// The hardware's signals into an FST file, from cycle `first` to cycle `last`.
+  void record_waves(const std::string& file, Cycle first, Cycle last);
+
+ protected:
+  RtlUnit(const RtlJob& job, const HmtSite& site) : job_(job), site_(site) {}
+
+  /// One cycle, `cycle_`.
+  virtual void tick() = 0;
+  /// Rays between ray_dispatch's queue and hit_queue.
+  virtual int inside() const = 0;
+  virtual WavePort& waves() = 0;
+
+  bool blocked(Port port) const {
+    return site_.stalls != nullptr && site_.stalls->blocked(port, site_.pipeline, cycle_);
+  }
+  bool hit_queue_ready();
+  /// ray_dispatch has sent all, and none is in front of ray_setup.
+  bool no_ray_to_come();
+  void count_slot(HmtTopPort::Slot slot, uint32_t ray);
+  /// The hit stream's transfer of this cycle; the record has the ray's number as its id. `sent`: by ray_dispatch.
+  void retire(HitRecord record, Cycle sent);
+  const MachineRay& ray(uint32_t number) const { return job_.work.rays[site_.order[number]]; }
+
+  /// In a context of traverse: their first slot was theirs.
+  int in_context() const { return in_context_; }
+
+  const RtlJob& job_;
+  HmtSite site_;
+  Cycle cycle_ = 0;
+
+ private:
+  Cycle hits_open_from_ = 0;
+  std::vector<uint32_t>* completions_ = nullptr;
+  int64_t rays_completed_ = 0;
+  int in_context_ = 0;
+  std::string wave_file_;
+  Cycle wave_first_ = kNever, wave_last_ = kNever;
+};
+
+/// hmt_top in the place of ray_setup, traverse and height_l1.
+std::unique_ptr<RtlUnit> make_hmt_top_unit(const RtlJob& job, const HmtSite& site);
+/// traverse in its place between the model's ray_setup and height_l1.
+std::unique_ptr<RtlUnit> make_traverse_unit(const RtlJob& job, const HmtSite& site);
+
+}  // namespace cuesta::rtl

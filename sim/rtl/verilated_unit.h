@@ -1,0 +1,120 @@
+#pragma once
+
+#include <verilated.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "models/common/error.h"
+#include "models/traversal/hit.h"
+#include "sim/rtl/wave_port.h"
+
+#ifdef CUESTA_RTL_WAVES
+#include <verilated_fst_c.h>
+#endif
+
+namespace cuesta::rtl {
+
+inline int64_t sign_extended(uint64_t value, int bits) {
+  return static_cast<int64_t>(value << (64 - bits)) >> (64 - bits);
+}
+
+template <class P>
+void set_port(P& port, uint64_t value) {
+  port = static_cast<P>(value);
+}
+
+/// The record that V offers on its hit stream, with the ray's number as its id.
+template <class V>
+HitRecord hit_record(const V& rtl, int plane_bits) {
+  HitRecord record;
+  record.ray_id = rtl.hit_id_o;
+  record.status = rtl.hit_status_o ? HitStatus::kHit : HitStatus::kMiss;
+  record.face = static_cast<HitFace>(rtl.hit_face_o);
+  record.stop_level = rtl.hit_level_o;
+  record.i = static_cast<int32_t>(sign_extended(rtl.hit_i_o, plane_bits));
+  record.j = static_cast<int32_t>(sign_extended(rtl.hit_j_o, plane_bits));
+  record.t = static_cast<int64_t>(rtl.hit_t_o);
+  record.steps = rtl.hit_steps_o;
+  return record;
+}
+
+/// Clock, reset and waves of a Verilated module V; Port is the interface that its user implements.
+template <class V, class Port>
+class VerilatedUnit : public Port {
+ public:
+  /// `seed`: of the values that registers without a reset begin with; 0: zeros.
+  VerilatedUnit(const char* name, int seed) {
+    context_.randReset(seed == 0 ? 0 : 2);
+    context_.randSeed(seed);
+#ifdef CUESTA_RTL_WAVES
+    context_.traceEverOn(true);
+#endif
+    rtl_ = std::make_unique<V>(&context_, name);
+  }
+  ~VerilatedUnit() override { VerilatedUnit::close_waves(); }
+  VerilatedUnit(const VerilatedUnit&) = delete;
+  VerilatedUnit& operator=(const VerilatedUnit&) = delete;
+
+  void clock() override {
+    rtl_->clk_i = 1;
+    rtl_->eval();
+#ifdef CUESTA_RTL_WAVES
+    if (waves_) [[unlikely]] {
+      waves_->dump(time_ + 1);
+      time_ += 2;
+    }
+#endif
+  }
+
+#ifdef CUESTA_RTL_WAVES
+  void open_waves(const std::string& file, int64_t cycle) override {
+    std::FILE* probe = std::fopen(file.c_str(), "wb");  // the writer itself would only be silent
+    if (probe == nullptr) {
+      throw usage_error("The waves cannot be written into " + file +
+                        "; accepted is a file in a folder that may be written.");
+    }
+    std::fclose(probe);
+    waves_ = std::make_unique<VerilatedFstC>();
+    rtl_->trace(waves_.get(), 99);
+    waves_->set_time_unit("1ns");
+    waves_->set_time_resolution("1ns");
+    waves_->open(file.c_str());
+    time_ = static_cast<uint64_t>(cycle) * 2;
+  }
+  void close_waves() override {
+    if (waves_) waves_->close();
+    waves_.reset();
+  }
+#else
+  void open_waves(const std::string&, int64_t) override {
+    throw usage_error("This hardware is compiled without waves.");
+  }
+  void close_waves() override {}
+#endif
+
+ protected:
+  /// The outputs of the cycle, with the clock low.
+  void settle() {
+    rtl_->clk_i = 0;
+    rtl_->eval();
+#ifdef CUESTA_RTL_WAVES
+    if (waves_) [[unlikely]]
+      waves_->dump(time_);
+#endif
+  }
+  V& rtl() { return *rtl_; }
+  const V& rtl() const { return *rtl_; }
+
+ private:
+  VerilatedContext context_;
+  std::unique_ptr<V> rtl_;
+#ifdef CUESTA_RTL_WAVES
+  std::unique_ptr<VerilatedFstC> waves_;
+  uint64_t time_ = 0;
+#endif
+};
+
+}  // namespace cuesta::rtl
