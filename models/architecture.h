@@ -66,6 +66,14 @@ struct ResultWriterParameters {
   int outstanding = 4;  ///< write bursts on their way
 };
 
+/// What stands in a unit's place: the model, or Verilated RTL, which is equal to it cycle by cycle.
+enum class Implementation : uint8_t { kModel, kRtl };
+
+struct UnitParameters {
+  Implementation hmt_top = Implementation::kModel;   ///< ray_setup, traverse and height_l1 of every pipeline
+  Implementation traverse = Implementation::kModel;  ///< between the model's ray_setup and height_l1
+};
+
 struct TexelParameters {
   TexelLayoutKind layout = TexelLayoutKind::kRowMajor;
 };
@@ -82,6 +90,7 @@ struct Architecture {
   ResultWriterParameters result_writer;
   DramParameters dram;
   TexelParameters texels;
+  UnitParameters units;
 };
 
 }  // namespace cuesta

@@ -8,6 +8,7 @@
 #include "models/output/hit_queue.h"
 #include "models/output/result_writer.h"
 #include "sim/outcome.h"
+#include "sim/rtl/choose_set.h"
 #include "sim/traversal_source.h"
 
 namespace cuesta {
@@ -29,11 +30,13 @@ int granule_bytes(const Architecture& architecture) {
 }  // namespace
 
 struct CycleMachine::Pipeline {
-  Pipeline(CycleMachine& m, int p, uint64_t write_base, const PortStalls* stalls, PortLog* log)
+  Pipeline(CycleMachine& m, int p, uint64_t write_base, const CycleHooks& hooks, PortLog* log)
       : hit_queue(m.architecture_.hit_queue.depth),
-        writer(m.architecture_.result_writer, write_base, m.pipelines_, p, hit_queue, m.memory_, stalls),
+        writer(m.architecture_.result_writer, write_base, m.pipelines_, p, hit_queue, m.memory_,
+               hooks.stalls),
         hmt(m.make_hmt({m.architecture_, p, m.layout_.size_bytes(), m.order_, *m.source_, m.dispatch_,
-                        m.memory_, hit_queue, writer, m.hits_, m.timing_, m.watchdog_, stalls, log})) {}
+                        m.memory_, hit_queue, writer, m.hits_, m.timing_, m.watchdog_, hooks.stalls, log},
+                       hooks.waves)) {}
 
   HitQueue hit_queue;
   ResultWriter writer;
@@ -75,6 +78,13 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
     hits_[k].status = HitStatus::kDidNotFinish;
   }
   if (hosted_) dispatch_.open();
+  if (rtl::has_rtl(architecture)) {
+    rtl_ = std::make_unique<rtl::RtlJob>(work_, layout_, rtl::choose_set(architecture, work_),
+                                         hooks.register_seed);
+  } else if (!hooks.waves.file.empty()) {
+    throw usage_error("Waves are of hardware, and no unit of this machine is; accepted is --fidelity rtl, or "
+                      "units.traverse = \"rtl\".");
+  }
   watchdog_.limit = architecture.machine.no_progress_cycles;
   const uint64_t stripe = Dram(architecture.dram, granule_bytes(architecture)).stripe_bytes();
   const uint64_t write_base = (layout_.size_bytes() + stripe - 1) / stripe * stripe;
@@ -84,15 +94,21 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
     const int p = hooks.reverse_construction ? pipelines_ - 1 - n : n;
     const auto at = static_cast<size_t>(p);
     PortLog* log = hooks.port_logs == nullptr ? nullptr : &(*hooks.port_logs)[at];
-    pipeline_[at] = std::make_unique<Pipeline>(*this, p, write_base, hooks.stalls, log);
+    pipeline_[at] = std::make_unique<Pipeline>(*this, p, write_base, hooks, log);
   }
   if (at_once_) memory_.set_writer(&pipeline_[0]->writer);
 }
 
 CycleMachine::~CycleMachine() = default;
 
-std::unique_ptr<HmtUnit> CycleMachine::make_hmt(const HmtSite& site) {
-  return std::make_unique<HmtModel>(site);
+std::unique_ptr<HmtUnit> CycleMachine::make_hmt(const HmtSite& site, const WaveWindow& waves) const {
+  if (!rtl_) return std::make_unique<HmtModel>(site);
+  std::unique_ptr<rtl::RtlUnit> unit = architecture_.units.hmt_top == Implementation::kRtl
+                                           ? rtl::make_hmt_top_unit(*rtl_, site)
+                                           : rtl::make_traverse_unit(*rtl_, site);
+  if (!waves.file.empty() && waves.pipeline == site.pipeline)
+    unit->record_waves(waves.file, waves.first, waves.last);
+  return unit;
 }
 
 uint16_t CycleMachine::target_of(uint32_t pixel) const {

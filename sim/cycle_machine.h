@@ -15,15 +15,25 @@
 #include "models/traversal/hmt_unit.h"
 #include "models/traversal/step_source.h"
 #include "sim/machine.h"
+#include "sim/rtl/rtl_unit.h"
 
 namespace cuesta {
 
-/// What tests turn that no architecture has.
+/// Waves of the hardware in one pipeline: its signals from cycle `first` to cycle `last` into an FST file.
+struct WaveWindow {
+  std::string file;  ///< empty: none
+  int pipeline = 0;
+  Cycle first = 0, last = kNever;
+};
+
+/// What tests and tools turn that no architecture has.
 struct CycleHooks {
   const PortStalls* stalls = nullptr;  ///< back-pressure on the ports
   bool counters_only = false;  ///< no histograms, planes and digests: what a benchmark of the machine times
   bool reverse_construction = false;          ///< build the pipelines last to first: must change nothing
   std::vector<PortLog>* port_logs = nullptr;  ///< one per pipeline, resized to that; must outlive the machine
+  WaveWindow waves = {};
+  int register_seed = 0;  ///< hardware: of what registers without a reset begin with; 0: zeros
 };
 
 /// Per ray, in the order of the trace.
@@ -117,7 +127,7 @@ class CycleMachine {
 
   CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks,
                OutsideMemory* outside);
-  std::unique_ptr<HmtUnit> make_hmt(const HmtSite& site);
+  std::unique_ptr<HmtUnit> make_hmt(const HmtSite& site, const WaveWindow& waves) const;
   Cycle end_cycle() const;
   uint16_t target_of(uint32_t pixel) const;
   std::vector<uint16_t> targets() const;
@@ -132,6 +142,7 @@ class CycleMachine {
   std::vector<uint32_t> arrived_pixel_;  ///< likewise
   std::vector<uint32_t> order_;          ///< machine's order -> position in the trace
   std::unique_ptr<StepSource> source_;
+  std::unique_ptr<rtl::RtlJob> rtl_;  ///< where some unit is hardware
   int pipelines_;
   bool hosted_;   ///< rays and memory are outside
   bool at_once_;  ///< one pipeline, memory inside, nothing held back: no windows

@@ -15,7 +15,8 @@
 
 namespace cuesta {
 
-enum class Fidelity : uint8_t { kFunctional, kCycle };
+/// kRtl: kCycle with the hardware in the place of ray_setup, traverse and height_l1 (units.hmt_top).
+enum class Fidelity : uint8_t { kFunctional, kCycle, kRtl };
 
 /// One run's work: rays in the order of the trace.
 struct Workload {

@@ -27,7 +27,8 @@ MachineFacts facts_of(const Architecture& a, Fidelity fidelity, int texel_bytes)
 }  // namespace
 
 std::string_view name_of(Fidelity fidelity) {
-  return fidelity == Fidelity::kFunctional ? "functional" : "cycle";
+  constexpr std::string_view kNames[] = {"functional", "cycle", "rtl"};
+  return kNames[static_cast<size_t>(fidelity)];
 }
 
 std::string Measurer::steps_free_digest(const std::vector<HitRecord>& hits) {

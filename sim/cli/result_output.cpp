@@ -46,7 +46,7 @@ std::string fit_for_a_file(std::string text) {
 
 void write_configurations(const std::vector<ResolvedArchitecture>& machines, Fidelity fidelity,
                           ResultFolder& folder) {
-  const bool with_time = fidelity == Fidelity::kCycle;
+  const bool with_time = fidelity != Fidelity::kFunctional;
   if (machines.size() == 1) {
     folder.write("config.resolved.toml", machines[0].toml(with_time));
     return;

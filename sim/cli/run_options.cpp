@@ -11,7 +11,8 @@ namespace cuesta {
 
 void RunOptions::declare(CLI::App& app) {
   app.add_option("--fidelity", fidelity,
-                 "functional (hits and steps, no time) or cycle (every cycle of every unit)")
+                 "functional (hits and steps, no time), cycle (every cycle of every unit), or rtl (cycle with the "
+                 "hardware, Verilated, in the place of its units: units.hmt_top)")
       ->capture_default_str();
   app.add_option(
          "--host", host,
@@ -36,15 +37,16 @@ void RunOptions::declare(CLI::App& app) {
 }
 
 Fidelity parse_fidelity(const std::string& name) {
-  if (name == "functional") return Fidelity::kFunctional;
-  if (name == "cycle") return Fidelity::kCycle;
-  if (name == "transaction" || name == "rtl") {
-    throw usage_error("--fidelity " + name +
-                      " is not available in this version; accepted are functional, cycle.");
+  static constexpr std::string_view kNames[] = {"functional", "cycle", "rtl"};
+  for (size_t k = 0; k < std::size(kNames); ++k) {
+    if (name == kNames[k]) return static_cast<Fidelity>(k);
   }
-  static constexpr std::string_view kNames[] = {"functional", "cycle"};
+  if (name == "transaction") {
+    throw usage_error("--fidelity transaction is not available in this version; accepted are " +
+                      joined(kNames) + ".");
+  }
   const std::string near = did_you_mean(name, kNames);
-  throw usage_error("There is no fidelity `" + printable(name) + "`; accepted are functional, cycle" +
+  throw usage_error("There is no fidelity `" + printable(name) + "`; accepted are " + joined(kNames) +
                     (near.empty() ? "." : near));
 }
 
@@ -56,9 +58,9 @@ Host parse_host(const std::string& name, Fidelity fidelity) {
     throw usage_error("There is no host `" + printable(name) + "`; accepted are direct, systemc" +
                       (near.empty() ? "." : near));
   }
-  if (fidelity != Fidelity::kCycle) {
+  if (fidelity == Fidelity::kFunctional) {
     throw usage_error("--host systemc runs the machine in time, and --fidelity " +
-                      std::string(name_of(fidelity)) + " has none; accepted with it is --fidelity cycle.");
+                      std::string(name_of(fidelity)) + " has none; accepted with it are --fidelity cycle, rtl.");
   }
   return Host::kSystemC;
 }
@@ -139,7 +141,10 @@ std::vector<ResolvedArchitecture> parse_architectures(const std::vector<std::str
                                                       Fidelity fidelity) {
   std::vector<ResolvedArchitecture> found;
   for (const std::string& name : split_at_commas(names)) {
-    found.push_back(resolve_architecture(name, settings, fidelity == Fidelity::kCycle));
+    found.push_back(resolve_architecture(name, settings, fidelity != Fidelity::kFunctional));
+    if (fidelity == Fidelity::kRtl) {
+      found.back().set("units.hmt_top", static_cast<int64_t>(Implementation::kRtl), "--fidelity rtl");
+    }
     for (size_t k = 0; k + 1 < found.size(); ++k) {
       if (found[k].architecture.name == found.back().architecture.name) {
         throw usage_error("Two architectures are named " + found[k].architecture.name +

@@ -192,6 +192,12 @@ ResolvedArchitecture resolve_architecture(const std::string& preset_or_file,
   return resolved;
 }
 
+void ResolvedArchitecture::set(std::string_view path, int64_t value, const std::string& origin) {
+  const Parameter* parameter = find_parameter(path);
+  parameter->set(architecture, value);
+  origins[static_cast<size_t>(parameter - parameters().data())] = origin;
+}
+
 std::string ResolvedArchitecture::toml(bool with_time) const {
   std::string text = "# The machine of this run, every value of it. name: " + architecture.name + "\n";
   std::string_view section;

@@ -26,6 +26,8 @@ struct ResolvedArchitecture {
   std::vector<std::string> files;    ///< that were read, in order
   std::vector<std::string> unused;   ///< sections and keys that a file gives and this run does not use
 
+  /// A value that neither file nor setting gives; `path` is a parameter's, `value` in its range.
+  void set(std::string_view path, int64_t value, const std::string& origin);
   /// TOML with every value, its origin, and what this run does not use as comments: reads back as the same machine.
   std::string toml(bool with_time) const;
 };

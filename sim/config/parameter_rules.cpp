@@ -21,6 +21,9 @@ std::string why_unused(const Parameter& parameter, const Architecture& architect
       dispatch.assign != DispatchAssign::kInterleave) {
     return "neither is `ray_dispatch.order` \"tile\" nor `ray_dispatch.assign` \"interleave\"";
   }
+  if (parameter.path == "units.traverse" && architecture.units.hmt_top == Implementation::kRtl) {
+    return "`units.hmt_top` = \"rtl\" holds its own traverse";
+  }
   return "";
 }
 

@@ -30,6 +30,7 @@ constexpr std::string_view kUps[] = {"algorithm", "never",     "always",        
                                      "both-even", "selective", "selective-even", "coherent"};
 constexpr std::string_view kStops[] = {"algorithm", "0", "1", "2",  "3",  "4",  "5",  "6",
                                        "7",         "8", "9", "10", "11", "12", "13", "14"};
+constexpr std::string_view kImplementations[] = {"model", "rtl"};
 constexpr std::string_view kFetches[] = {"algorithm", "texel", "quad"};
 static_assert(std::size(kStops) == kMostStopLevel + 2);
 constexpr int down_value(int index) { return index == 3 ? kDownCommon : index + 1; }
@@ -106,6 +107,7 @@ using Writer = ResultWriterParameters;
 using Dram = DramParameters;
 
 constexpr std::string_view kOurs = "ours";
+constexpr std::string_view kEqual = "the hardware is equal to the model, cycle by cycle";
 constexpr std::string_view kDatasheet = "ours; the default is DDR3-1600 11-11-11 (JEDEC JESD79-3) at 800 MHz";
 
 constexpr auto kParameters = std::to_array<Parameter>({
@@ -240,6 +242,19 @@ constexpr auto kParameters = std::to_array<Parameter>({
 
     name<&A::texels, &TexelParameters::layout>("texels.layout", kLayouts, kTime,
                                                "Where each pyramid texel lies in memory.", kOurs),
+
+    inert(name<&A::units, &UnitParameters::hmt_top>(
+              "units.hmt_top", kImplementations, kTime,
+              "What stands in the place of ray_setup, traverse and height_l1 of every pipeline: the model, or "
+              "rtl/hmt_top.sv, Verilated; one of the compiled sets.",
+              kOurs),
+          kEqual),
+    inert(name<&A::units, &UnitParameters::traverse>(
+              "units.traverse", kImplementations, kTime,
+              "What stands in the place of traverse, between the model's ray_setup and height_l1: the model, or "
+              "rtl/traversal/traverse.sv, Verilated.",
+              kOurs),
+          kEqual),
 });
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "models/common/error.h"
 #include "sim/rtl/rtl_unit.h"
 
 namespace cuesta::rtl {
@@ -17,7 +18,7 @@ class HmtTopUnit final : public RtlUnit, public MemoryClient {
     for (size_t c = 0; c < std::size(kCounters); ++c) at_reset_[c] = counter(c);
   }
 
-  Counts counts() override;
+  Counts counts(Cycle end) override;
   Fill fill() const override;
   std::string who_waits() const override;
 
@@ -120,6 +121,7 @@ void HmtTopUnit::tick() {
   if (out.request_valid && in.request_ready) request(out.request_mshr, out.request_address);
   if (in.ray != nullptr && out.ray_ready) {
     inside_.push_back({in.ray_number, queue.front().cycle});
+    if (site_.log != nullptr) site_.log->entries.push_back({cycle_, in.ray_number});
     queue.pop_front();
     site_.dispatch.give_credit(site_.pipeline,
                                cycle_ + site_.architecture.ray_dispatch.credit_latency_cycles);
@@ -145,11 +147,13 @@ void HmtTopUnit::request(int mshr, uint64_t address) {
   seen_[line / 64] |= uint64_t{1} << (line % 64);
   const uint32_t owner = owners_.front();
   owners_.pop_front();
+  if (site_.log != nullptr) site_.log->requests.push_back({cycle_, mshr, address, owner});
   site_.memory.send({cycle_, site_.pipeline, false, mshr, owner, static_cast<int32_t>(line_bytes()), address,
                      this});
 }
 
-HmtUnit::Counts HmtTopUnit::counts() {
+HmtUnit::Counts HmtTopUnit::counts(Cycle end) {
+  drain_until(end);
   auto count = [&](std::string_view unit, std::string_view name) {
     size_t c = 0;
     while (kCounters[c][0] != unit || kCounters[c][1] != name) ++c;

@@ -81,6 +81,7 @@ void RtlUnit::retire(HitRecord record, Cycle sent) {
   timing.fetches = {record.steps, record.steps};
   site_.watchdog.last_progress = cycle_;
   if (completions_ != nullptr) completions_->push_back(trace);
+  if (site_.log != nullptr) site_.log->hits.push_back({cycle_, number, record});
   ++rays_completed_;
   --in_context_;
 }

@@ -1,3 +1,6 @@
+#include <algorithm>
+
+#include "models/common/error.h"
 #include "models/memory/height_l1.h"
 #include "models/traversal/ray_setup_unit.h"
 #include "sim/rtl/rtl_unit.h"
@@ -27,11 +30,16 @@ class TraverseRtl final : public RtlUnit {
     for (int level = 0; level <= job.work.map.root_level; ++level) {
       settings.level_base.push_back(level < job.work.schedule.stop_level ? 0 : job.layout.offset(level, 0, 0));
     }
+    l1_.log_ports(site.log);
+    setup_.log_ports(site.log);
     traverse_->configure(settings);
     traverse_->reset();
   }
 
-  Counts counts() override { return {setup_.entered(), counts_, l1_.counts()}; }
+  Counts counts(Cycle end) override {
+    drain_until(end);
+    return {setup_.entered(), counts_, l1_.counts()};
+  }
   Fill fill() const override {
     return {static_cast<int>(setup_.queued() + setup_.waiting()), static_cast<int>(resident_.size()),
             l1_.mshrs_taken(), static_cast<int>(l1_.retry_fill())};

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/rtl/hmt_top_port.h"
+#include "sim/rtl/hmt_top_port.h"
 #include "tests/twins/dram_twin.h"
 #include "tests/twins/hit_queue_twin.h"
 #include "tests/twins/random_machine.h"

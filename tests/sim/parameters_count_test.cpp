@@ -8,6 +8,7 @@
 #include "sim/config/architecture_file.h"
 #include "sim/config/parameters.h"
 #include "sim/measure.h"
+#include "sim/rtl/rtl_set.h"
 #include "tests/support/temporary_folder.h"
 
 // Turning a knob must be seen: every parameter of the machine changes some count, or says that it is inert.
@@ -21,6 +22,11 @@ struct Case {
   std::vector<std::string> settings = {};
   std::string algorithm = "yun2013";
 };
+
+std::vector<std::string> implementations() {
+  if (rtl::rtl_sets().empty()) return {"model", "model"};  // built without hardware
+  return {"model", "rtl"};
+}
 
 // One row per parameter; whoever adds a parameter adds its row.
 const std::vector<Case>& cases() {
@@ -72,6 +78,8 @@ const std::vector<Case>& cases() {
       {"dram.request_latency_cycles", {"5", "50"}},
       {"dram.response_latency_cycles", {"5", "50"}},
       {"texels.layout", {"row_major", "morton", "mip_atlas", "blocks_4x4", "ki2007_slices"}, kSmallL1},
+      {"units.hmt_top", implementations()},
+      {"units.traverse", implementations()},
   };
   return rows;
 }
