@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "models/common/error.h"
 #include "models/dispatch/dispatch_order.h"
 #include "models/memory/dram.h"
 #include "models/output/hit_queue.h"
@@ -82,8 +83,9 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
     rtl_ = std::make_unique<rtl::RtlJob>(work_, layout_, rtl::choose_set(architecture, work_),
                                          hooks.register_seed);
   } else if (!hooks.waves.file.empty()) {
-    throw usage_error("Waves are of hardware, and no unit of this machine is; accepted is --fidelity rtl, or "
-                      "units.traverse = \"rtl\".");
+    throw usage_error(
+        "Waves are of hardware, and no unit of this machine is; accepted is --fidelity rtl, or "
+        "units.traverse = \"rtl\".");
   }
   watchdog_.limit = architecture.machine.no_progress_cycles;
   const uint64_t stripe = Dram(architecture.dram, granule_bytes(architecture)).stripe_bytes();

@@ -10,9 +10,10 @@
 namespace cuesta {
 
 void RunOptions::declare(CLI::App& app) {
-  app.add_option("--fidelity", fidelity,
-                 "functional (hits and steps, no time), cycle (every cycle of every unit), or rtl (cycle with the "
-                 "hardware, Verilated, in the place of its units: units.hmt_top)")
+  app.add_option(
+         "--fidelity", fidelity,
+         "functional (hits and steps, no time), cycle (every cycle of every unit), or rtl (cycle with the "
+         "hardware, Verilated, in the place of its units: units.hmt_top)")
       ->capture_default_str();
   app.add_option(
          "--host", host,
@@ -60,7 +61,8 @@ Host parse_host(const std::string& name, Fidelity fidelity) {
   }
   if (fidelity == Fidelity::kFunctional) {
     throw usage_error("--host systemc runs the machine in time, and --fidelity " +
-                      std::string(name_of(fidelity)) + " has none; accepted with it are --fidelity cycle, rtl.");
+                      std::string(name_of(fidelity)) +
+                      " has none; accepted with it are --fidelity cycle, rtl.");
   }
   return Host::kSystemC;
 }

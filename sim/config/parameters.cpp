@@ -243,17 +243,18 @@ constexpr auto kParameters = std::to_array<Parameter>({
     name<&A::texels, &TexelParameters::layout>("texels.layout", kLayouts, kTime,
                                                "Where each pyramid texel lies in memory.", kOurs),
 
-    inert(name<&A::units, &UnitParameters::hmt_top>(
-              "units.hmt_top", kImplementations, kTime,
-              "What stands in the place of ray_setup, traverse and height_l1 of every pipeline: the model, or "
-              "rtl/hmt_top.sv, Verilated; one of the compiled sets.",
-              kOurs),
-          kEqual),
-    inert(name<&A::units, &UnitParameters::traverse>(
-              "units.traverse", kImplementations, kTime,
-              "What stands in the place of traverse, between the model's ray_setup and height_l1: the model, or "
-              "rtl/traversal/traverse.sv, Verilated.",
-              kOurs),
+    inert(
+        name<&A::units, &UnitParameters::hmt_top>(
+            "units.hmt_top", kImplementations, kTime,
+            "What stands in the place of ray_setup, traverse and height_l1 of every pipeline: the model, or "
+            "rtl/hmt_top.sv, Verilated; one of the compiled sets.",
+            kOurs),
+        kEqual),
+    inert(name<&A::units, &UnitParameters::traverse>("units.traverse", kImplementations, kTime,
+                                                     "What stands in the place of traverse, between the "
+                                                     "model's ray_setup and height_l1: the model, or "
+                                                     "rtl/traversal/traverse.sv, Verilated.",
+                                                     kOurs),
           kEqual),
 });
 

@@ -26,8 +26,7 @@ std::string beyond_rtl(const Architecture& a, const Workload& work) {
   if (work.schedule.fetch != FetchRule::kTexel) return "traverse.fetch is quad; accepted is texel.";
   if (work.schedule.down == kDownCommon) return "traverse.down is common; accepted are 1, 2, 3.";
   if (a.texels.layout != TexelLayoutKind::kRowMajor && a.texels.layout != TexelLayoutKind::kMorton) {
-    return "texels.layout is " + std::string(name_of(a.texels.layout)) +
-           "; accepted are row_major, morton.";
+    return "texels.layout is " + std::string(name_of(a.texels.layout)) + "; accepted are row_major, morton.";
   }
   return {};
 }
@@ -72,8 +71,9 @@ std::vector<std::string> differences(const RtlSet& set, const Architecture& a, c
 const RtlSet& choose_set(const Architecture& architecture, const Workload& work) {
   const std::string choice = choice_text(architecture);
   if (rtl_sets().empty()) {
-    throw usage_error(choice + ": this program is built without RTL (CMake option CUESTA_RTL); accepted is "
-                               "\"model\", which is equal to it cycle by cycle.");
+    throw usage_error(choice +
+                      ": this program is built without RTL (CMake option CUESTA_RTL); accepted is "
+                      "\"model\", which is equal to it cycle by cycle.");
   }
   const std::string beyond = beyond_rtl(architecture, work);
   if (!beyond.empty()) throw usage_error(choice + ": " + beyond);
@@ -91,8 +91,9 @@ const RtlSet& choose_set(const Architecture& architecture, const Workload& work)
   std::string text = choice + ": no compiled set of the hardware is this machine; the nearest is " +
                      std::string(nearest->name) + ": ";
   for (const std::string& difference : fewest) text += difference + "; ";
-  throw usage_error(text + "accepted are a set's values, or a row of rtl/sets.csv named in the CMake option "
-                           "CUESTA_RTL_SETS.");
+  throw usage_error(text +
+                    "accepted are a set's values, or a row of rtl/sets.csv named in the CMake option "
+                    "CUESTA_RTL_SETS.");
 }
 
 }  // namespace cuesta::rtl

@@ -16,7 +16,8 @@ inline bool has_rtl(const Architecture& architecture) {
 }
 
 /// A key in which a machine is not what a set is compiled for: "traverse.contexts is 48, compiled is 32".
-std::vector<std::string> differences(const RtlSet& set, const Architecture& architecture, const MapShape& map);
+std::vector<std::string> differences(const RtlSet& set, const Architecture& architecture,
+                                     const MapShape& map);
 
 /// The compiled set that the machine is, on this work. Throws usage_error: for what no RTL can do, the key; for sizes
 /// outside every set, the key, the nearest set and the option that compiles others.

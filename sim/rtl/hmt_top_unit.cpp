@@ -69,8 +69,8 @@ void HmtTopUnit::configure() {
   const NumberFormat format = number_format(site_.architecture.traverse, map);
   const uint64_t mode = static_cast<uint64_t>(map.root_level) |
                         static_cast<uint64_t>(map.address_mode == AddressMode::kBorder) << 4 |
-                        static_cast<uint64_t>(schedule.start) << 5 | static_cast<uint64_t>(schedule.down) << 7 |
-                        static_cast<uint64_t>(schedule.up) << 9 |
+                        static_cast<uint64_t>(schedule.start) << 5 |
+                        static_cast<uint64_t>(schedule.down) << 7 | static_cast<uint64_t>(schedule.up) << 9 |
                         static_cast<uint64_t>(schedule.stop_level) << 12 |
                         static_cast<uint64_t>(job_.layout.kind() == TexelLayoutKind::kMorton) << 16;
   top_->write_register(kRegisterMode, mode);
@@ -107,8 +107,8 @@ void HmtTopUnit::tick() {
   if (out.slot == HmtTopPort::Slot::kMiss) owners_.push_back(out.slot_ray);
   if (out.hit_valid && in.hit_ready) {
     const HitRecord record = top_->hit();
-    const auto leaves = std::find_if(inside_.begin(), inside_.end(),
-                                     [&](const Inside& r) { return r.ray == record.ray_id; });
+    const auto leaves =
+        std::find_if(inside_.begin(), inside_.end(), [&](const Inside& r) { return r.ray == record.ray_id; });
     if (leaves == inside_.end()) {
       throw Error(ExitCode::kMismatch, "hmt_top[" + std::to_string(site_.pipeline) + "] sends ray " +
                                            std::to_string(record.ray_id) + " in cycle " +
@@ -148,8 +148,8 @@ void HmtTopUnit::request(int mshr, uint64_t address) {
   const uint32_t owner = owners_.front();
   owners_.pop_front();
   if (site_.log != nullptr) site_.log->requests.push_back({cycle_, mshr, address, owner});
-  site_.memory.send({cycle_, site_.pipeline, false, mshr, owner, static_cast<int32_t>(line_bytes()), address,
-                     this});
+  site_.memory.send(
+      {cycle_, site_.pipeline, false, mshr, owner, static_cast<int32_t>(line_bytes()), address, this});
 }
 
 HmtUnit::Counts HmtTopUnit::counts(Cycle end) {
@@ -195,8 +195,8 @@ HmtUnit::Fill HmtTopUnit::fill() const {
 std::string HmtTopUnit::who_waits() const {
   return "hmt_top[" + std::to_string(site_.pipeline) + "] (RTL) holds " + std::to_string(inside_.size()) +
          " rays, " + std::to_string(site_.dispatch.queue(site_.pipeline).size()) + " wait in front of it; " +
-         std::to_string(std::count_if(mshrs_.begin(), mshrs_.end(),
-                                      [](const Mshr& m) { return m.lands != kNever; })) +
+         std::to_string(
+             std::count_if(mshrs_.begin(), mshrs_.end(), [](const Mshr& m) { return m.lands != kNever; })) +
          " fills are on their way; hit_queue: " + std::to_string(site_.hit_queue.size()) +
          " records wait for result_writer";
 }

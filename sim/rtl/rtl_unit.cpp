@@ -22,10 +22,10 @@ void RtlUnit::advance(Cycle limit) {
       waves().close_waves();
     ++cycle_;
     if (site_.watchdog.expired(cycle_) && !starved()) {
-      throw Error(ExitCode::kNoProgress,
-                  "no step was finished for " + std::to_string(site_.watchdog.limit) +
-                      " cycles (machine.no_progress_cycles), since cycle " +
-                      std::to_string(site_.watchdog.last_progress) + ": " + who_waits());
+      throw Error(ExitCode::kNoProgress, "no step was finished for " + std::to_string(site_.watchdog.limit) +
+                                             " cycles (machine.no_progress_cycles), since cycle " +
+                                             std::to_string(site_.watchdog.last_progress) + ": " +
+                                             who_waits());
     }
   }
 }

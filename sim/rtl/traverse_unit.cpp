@@ -28,7 +28,8 @@ class TraverseRtl final : public RtlUnit {
                                     job.layout.kind() == TexelLayoutKind::kMorton,
                                     {}};
     for (int level = 0; level <= job.work.map.root_level; ++level) {
-      settings.level_base.push_back(level < job.work.schedule.stop_level ? 0 : job.layout.offset(level, 0, 0));
+      settings.level_base.push_back(level < job.work.schedule.stop_level ? 0
+                                                                         : job.layout.offset(level, 0, 0));
     }
     l1_.log_ports(site.log);
     setup_.log_ports(site.log);
@@ -45,11 +46,12 @@ class TraverseRtl final : public RtlUnit {
             l1_.mshrs_taken(), static_cast<int>(l1_.retry_fill())};
   }
   std::string who_waits() const override {
-    return "traverse[" + std::to_string(site_.pipeline) + "] (RTL) holds " + std::to_string(resident_.size()) +
-           " rays; height_l1: " + std::to_string(l1_.mshrs_taken()) + " MSHRs taken, " +
-           std::to_string(l1_.retry_fill()) + " rays wait for an MSHR; ray_setup: " +
-           std::to_string(setup_.waiting()) + " rays in set-up; hit_queue: " +
-           std::to_string(site_.hit_queue.size()) + " records wait for result_writer";
+    return "traverse[" + std::to_string(site_.pipeline) + "] (RTL) holds " +
+           std::to_string(resident_.size()) + " rays; height_l1: " + std::to_string(l1_.mshrs_taken()) +
+           " MSHRs taken, " + std::to_string(l1_.retry_fill()) +
+           " rays wait for an MSHR; ray_setup: " + std::to_string(setup_.waiting()) +
+           " rays in set-up; hit_queue: " + std::to_string(site_.hit_queue.size()) +
+           " records wait for result_writer";
   }
 
  private:

@@ -22,7 +22,7 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
   void reset() override {
     rtl().rst_ni = 0;
     rtl().reg_write_i = 0;
-    evaluate({});
+    this->evaluate(HmtTopPort::Inputs{});
     this->clock();
     rtl().rst_ni = 1;
   }
@@ -30,7 +30,7 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
     rtl().reg_write_i = 1;
     rtl().reg_address_i = static_cast<uint8_t>(address);
     rtl().reg_data_i = data;
-    evaluate({});
+    this->evaluate(HmtTopPort::Inputs{});
     this->clock();
     rtl().reg_write_i = 0;
   }
@@ -40,7 +40,7 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
     return rtl().reg_data_o;
   }
 
-  Outputs evaluate(const Inputs& in) override {
+  HmtTopPort::Outputs evaluate(const HmtTopPort::Inputs& in) override {
     V& r = rtl();
     r.ray_valid_i = in.ray != nullptr;
     if (in.ray != nullptr) {
@@ -75,10 +75,7 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
   HitRecord hit() const override { return hit_record(this->rtl(), plane_bits_); }
 
  private:
-  using Base = VerilatedUnit<V, HmtTopPort>;
-  using Base::rtl;
-  using Inputs = HmtTopPort::Inputs;
-  using Outputs = HmtTopPort::Outputs;
+  using VerilatedUnit<V, HmtTopPort>::rtl;
 
   size_t line_bytes_;
   uint64_t position_mask_, direction_mask_;

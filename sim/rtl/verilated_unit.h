@@ -41,14 +41,20 @@ HitRecord hit_record(const V& rtl, int plane_bits) {
   return record;
 }
 
+/// Of hardware compiled with --x-initial unique, before it is constructed: what no reset touches holds random bits,
+/// others for each seed; 0: zeros.
+inline VerilatedContext& with_random_start(VerilatedContext& context, int seed) {
+  context.randReset(seed == 0 ? 0 : 2);
+  if (seed != 0) context.randSeed(seed);
+  return context;
+}
+
 /// Clock, reset and waves of a Verilated module V; Port is the interface that its user implements.
 template <class V, class Port>
 class VerilatedUnit : public Port {
  public:
-  /// `seed`: of the values that registers without a reset begin with; 0: zeros.
   VerilatedUnit(const char* name, int seed) {
-    context_.randReset(seed == 0 ? 0 : 2);
-    context_.randSeed(seed);
+    with_random_start(context_, seed);
 #ifdef CUESTA_RTL_WAVES
     context_.traceEverOn(true);
 #endif

@@ -4,16 +4,14 @@
 #include <iostream>
 #include <string>
 
-#include "Vhmt_top_mobile.h"
-#include "Vhmt_top_tiny.h"
 #include "models/common/random.h"
 #include "models/oracle/random_cases.h"
 #include "sim/cycle_machine.h"
-#include "tests/rtl/rtl_machine.h"
+#include "sim/rtl/rtl_set.h"
+#include "tests/twins/random_machine.h"
 
-// rtl/hmt_top.sv in the machine's place of ray_setup, traverse and height_l1, with ticking twins around it, against
-// the machine of sim/cycle_machine.cpp: every hit, every ray's completion cycle, every counter, under random
-// stalls on every outer port.
+// The machine with Verilated hardware in the place of its units against the machine as it is: every hit, every ray's
+// completion cycle, every counter and plane, under random stalls on every port.
 
 namespace cuesta::rtl {
 namespace {
@@ -21,7 +19,7 @@ namespace {
 using twins::RandomMachine;
 
 /// A random machine that the set can be.
-RandomMachine machine_for(const HmtTopSet& set, uint64_t seed) {
+RandomMachine machine_for(const RtlParameters& set, uint64_t seed) {
   RandomMachine machine = twins::random_machine(seed, 1);
   Random random(seed * 77 + 5);
   Architecture& a = machine.architecture;
@@ -40,9 +38,9 @@ RandomMachine machine_for(const HmtTopSet& set, uint64_t seed) {
 
   RandomMap map;
   map.kind = "square";
-  const int n = static_cast<int>(random.below(static_cast<uint64_t>(set.max_level) + 1));
+  const int n = static_cast<int>(random.below(static_cast<uint64_t>(std::min(set.max_level, 9)) + 1));
   const int side = 1 << n;
-  map.shape = {side, side, n, static_cast<int>(random.between(1, set.height_bits)),
+  map.shape = {side, side, n, static_cast<int>(random.between(set.height_bits > 8 ? 9 : 1, set.height_bits)),
                random.chance(0.5) ? AddressMode::kWrap : AddressMode::kBorder};
   map.format = number_format(a.traverse, map.shape);
   map.grid.width = map.grid.height = side;
@@ -89,59 +87,59 @@ RandomMachine machine_for(const HmtTopSet& set, uint64_t seed) {
   return machine;
 }
 
-std::string difference(const HmtTopSet& set, const MakeHmtTop& make, const RandomMachine& machine) {
-  CycleDetail detail;
+std::string difference(RandomMachine machine, Implementation UnitParameters::*unit) {
+  CycleDetail detail[2];
+  Outcome outcome[2];
   CycleHooks hooks;
   hooks.stalls = machine.stalled ? &machine.stalls : nullptr;
-  const Outcome model = run_cycle_detailed(machine.work(), machine.architecture, {}, hooks, &detail);
-  const RtlRun rtl = RtlMachine(machine, set, make).run();
+  hooks.register_seed = static_cast<int>(machine.seed);
+  for (const Implementation made : {Implementation::kModel, Implementation::kRtl}) {
+    machine.architecture.units.*unit = made;
+    const auto k = static_cast<size_t>(made);
+    outcome[k] = run_cycle_detailed(machine.work(), machine.architecture, {}, hooks, &detail[k]);
+  }
   for (size_t k = 0; k < machine.rays.size(); ++k) {
-    if (model.hits[k] == rtl.hits[k] && detail.timing[k].completed == rtl.completed[k]) continue;
-    auto text = [](const HitRecord& h, Cycle completed) {
+    if (outcome[0].hits[k] == outcome[1].hits[k] &&
+        detail[0].timing[k].completed == detail[1].timing[k].completed) {
+      continue;
+    }
+    auto text = [&](size_t which) {
+      const HitRecord& h = outcome[which].hits[k];
       return "status " + std::to_string(static_cast<int>(h.status)) + ", face " +
              std::to_string(static_cast<int>(h.face)) + ", level " + std::to_string(h.stop_level) + ", i " +
              std::to_string(h.i) + ", j " + std::to_string(h.j) + ", t " + std::to_string(h.t) + ", steps " +
-             std::to_string(h.steps) + ", completed in " + std::to_string(completed);
+             std::to_string(h.steps) + ", completed in " + std::to_string(detail[which].timing[k].completed);
     };
-    return "ray " + std::to_string(k) + " (" + describe(machine.rays[k]) + ")\n  model " +
-           text(model.hits[k], detail.timing[k].completed) + "\n  RTL   " +
-           text(rtl.hits[k], rtl.completed[k]) + "\n" + twins::describe(machine);
+    return "ray " + std::to_string(k) + " (" + describe(machine.rays[k]) + ")\n  model " + text(0) +
+           "\n  RTL   " + text(1) + "\n" + twins::describe(machine);
   }
-  for (size_t p = 0; p < rtl.counters.size(); ++p) {
-    for (size_t c = 0; c < std::size(kCounters); ++c) {
-      const std::string path =
-          std::string(kCounters[c][0]) + "[" + std::to_string(p) + "]." + kCounters[c][1];
-      const int64_t want = model.measurements.counters.get(path);
-      if (want != static_cast<int64_t>(rtl.counters[p][c])) {
-        return path + ": model " + std::to_string(want) + ", RTL " + std::to_string(rtl.counters[p][c]) +
-               "\n" + twins::describe(machine);
-      }
+  const auto& counters = outcome[0].measurements.counters.all();
+  for (const auto& [path, want] : counters) {
+    const int64_t got = outcome[1].measurements.counters.get(path);
+    if (want != got) {
+      return path + ": model " + std::to_string(want) + ", RTL " + std::to_string(got) + "\n" +
+             twins::describe(machine);
     }
   }
-  return {};
+  return outcome[0].digest == outcome[1].digest ? "" : "the digests differ\n" + twins::describe(machine);
 }
 
-constexpr HmtTopSet kMobile{10, 8, 8, 32, 12, 4, 24, 4, 8, 8, 32, 16384, 64, 4, 8};
-constexpr HmtTopSet kTiny{8, 8, 8, 32, 12, 4, 24, 8, 4, 8, 8, 2048, 32, 2, 2};
-
-template <class V>
-void compare(const HmtTopSet& set, int64_t rays) {
+void compare(Implementation UnitParameters::*unit, int64_t rays) {
   if (const char* told = std::getenv("CUESTA_RTL_RAYS")) rays = std::stoll(told);
-  int64_t compared = 0, machines = 0;
-  for (uint64_t seed = 1; compared < rays; ++seed, ++machines) {
-    const auto make = [&]() -> std::unique_ptr<HmtTopPort> {
-      return std::make_unique<HmtTop<V>>(set, static_cast<int>(seed));
-    };
-    const RandomMachine machine = machine_for(set, seed);
-    const std::string found = difference(set, make, machine);
-    if (!found.empty()) FAIL() << found << "\nregisters without reset start from random bits, seed " << seed;
-    compared += static_cast<int64_t>(machine.rays.size());
+  for (const RtlSet& set : rtl_sets()) {
+    int64_t compared = 0, machines = 0;
+    for (uint64_t seed = 1; compared < rays; ++seed, ++machines) {
+      const RandomMachine machine = machine_for(set.parameters, seed);
+      const std::string found = difference(machine, unit);
+      if (!found.empty()) FAIL() << set.name << ": " << found;
+      compared += static_cast<int64_t>(machine.rays.size());
+    }
+    std::cout << set.name << ": " << compared << " rays on " << machines << " machines, no difference\n";
   }
-  std::cout << compared << " rays on " << machines << " machines, no difference\n";
 }
 
-TEST(HmtTopRtl, MobileEqualsTheModelUnderRandomStalls) { compare<Vhmt_top_mobile>(kMobile, 20'000); }
-TEST(HmtTopRtl, TinyEqualsTheModelUnderRandomStalls) { compare<Vhmt_top_tiny>(kTiny, 20'000); }
+TEST(HmtTopRtl, EqualsTheModelUnderRandomStalls) { compare(&UnitParameters::hmt_top, 20'000); }
+TEST(TraverseRtl, EqualsTheModelUnderRandomStalls) { compare(&UnitParameters::traverse, 10'000); }
 
 }  // namespace
 }  // namespace cuesta::rtl

@@ -11,7 +11,7 @@
 #include "models/common/random.h"
 #include "models/oracle/random_cases.h"
 #include "models/traversal/traversal.h"
-#include "tests/rtl/hmt_top_port.h"
+#include "sim/rtl/verilated_unit.h"
 #include "tests/twins/ray_setup_twin.h"
 
 // rtl/traversal/ray_setup.sv against `start` of models/traversal/traversal.h for the value and against the ticking
@@ -20,16 +20,14 @@
 namespace cuesta {
 namespace {
 
+using rtl::sign_extended;
+
 using FixedWalk = Walk<FixedArithmetic, PlainAxis>;
 using State = RayState<FixedArithmetic, PlainAxis>;
 
 // What the RTL under test is compiled for: its defaults.
 constexpr int kMaxLevel = 10, kQueueDepth = 8, kLatency = 24, kInterval = 4;
 constexpr NumberFormat kFormat{8, 32, 12, 4};
-
-int64_t sign_extended(uint64_t value, int bits) {
-  return static_cast<int64_t>(value << (64 - bits)) >> (64 - bits);
-}
 
 RandomMap square_map(Random& random) {
   RandomMap map;
