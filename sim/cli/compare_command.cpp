@@ -43,7 +43,7 @@ class CompareCommand : public Command {
     const SceneChanges changes = scene_changes(options_);
     Result result = begin_result("compare", session);
     result.manifest.environment.emplace_back("simulation_host", options_.host);
-    const CycleRunner cycle_runner = make_cycle_runner(session, host, "", machines);
+    const CycleRunner cycle_runner = make_cycle_runner(session, host, "", {}, machines);
     add_inputs(machines, result);
 
     for (const ResolvedArchitecture& machine : machines) {

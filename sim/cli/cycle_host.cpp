@@ -8,11 +8,16 @@
 namespace cuesta {
 
 CycleRunner make_cycle_runner(const Session& session, Host host, const std::string& vcd,
-                              const std::vector<ResolvedArchitecture>& machines) {
+                              const WaveOptions& waves, const std::vector<ResolvedArchitecture>& machines) {
   if (host == Host::kDirect) {
-    if (vcd.empty()) return {};
+    if (vcd.empty()) return waves.wanted() ? wave_runner(waves) : CycleRunner{};
     throw usage_error(
         "--vcd writes the signals of the machine's SystemC module; accepted with --host systemc.");
+  }
+  if (waves.wanted()) {
+    throw usage_error(
+        "--waves and --host systemc: accepted is --host direct, which runs the same cycles, or --vcd "
+        "for the signals of the SystemC module.");
   }
   int pipelines = 1;
   for (const ResolvedArchitecture& machine : machines) {

@@ -28,13 +28,15 @@ class RunCommand : public Command {
                    "One out of `cuesta list algorithms`, or a schedule such as root:common:never:quad")
         ->capture_default_str();
     app.add_option("--arch", architecture_, "Preset or architecture file")->capture_default_str();
-    app.add_option("--vcd", waves_, "With --host systemc: the machine's signals into a VCD file; slow");
+    app.add_option("--vcd", vcd_, "With --host systemc: the machine's signals into a VCD file; slow");
+    waves_.declare(app);
     options_.declare(app);
   }
 
   ExitCode run(const Session& session) override {
     const auto start = std::chrono::steady_clock::now();
     const Fidelity fidelity = parse_fidelity(options_.fidelity);
+    waves_.check();
     const Host host = parse_host(options_.host, fidelity);
     const auto algorithms = parse_algorithms({algorithm_});
     const auto machines = parse_architectures({architecture_}, options_.settings, fidelity);
@@ -42,7 +44,7 @@ class RunCommand : public Command {
       throw usage_error(
           "`cuesta run` takes one algorithm and one architecture; `cuesta compare` takes several.");
     }
-    const CycleRunner cycle_runner = make_cycle_runner(session, host, waves_, machines);
+    const CycleRunner cycle_runner = make_cycle_runner(session, host, vcd_, waves_, machines);
     const std::string scene = scene_or_default(scene_, options_);
     const SceneChanges changes = scene_changes(options_);
     Result result = begin_result("run", session);
@@ -67,7 +69,8 @@ class RunCommand : public Command {
   std::string scene_;
   std::string algorithm_ = "yun2013";
   std::string architecture_ = "mobile";
-  std::string waves_;
+  std::string vcd_;
+  WaveOptions waves_;
   RunOptions options_;
 };
 
