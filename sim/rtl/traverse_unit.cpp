@@ -39,7 +39,9 @@ class TraverseRtl final : public RtlUnit {
 
   Counts counts(Cycle end) override {
     drain_until(end);
-    return {setup_.entered(), counts_, l1_.counts()};
+    Counts counts{setup_.entered(), counts_, l1_.counts_until(end)};
+    for (const Resident& ray : resident_) counts.traverse.resident_cycles += end - 1 - ray.entered;
+    return counts;
   }
   Fill fill() const override {
     return {static_cast<int>(setup_.queued() + setup_.waiting()), static_cast<int>(resident_.size()),
