@@ -10,7 +10,7 @@ namespace cuesta {
 CycleRunner make_cycle_runner(const Session& session, Host host, const std::string& vcd,
                               const WaveOptions& waves, const std::vector<ResolvedArchitecture>& machines) {
   if (host == Host::kDirect) {
-    if (vcd.empty()) return waves.wanted() ? wave_runner(waves) : CycleRunner{};
+    if (vcd.empty()) return waves.wanted() ? wave_runner(waves, session.quiet) : CycleRunner{};
     throw usage_error(
         "--vcd writes the signals of the machine's SystemC module; accepted with --host systemc.");
   }

@@ -108,9 +108,9 @@ void WaveOptions::check() const {
   }
 }
 
-CycleRunner wave_runner(const WaveOptions& options) {
-  return [options](const Workload& work, std::span<const TracedRay>, const Architecture& architecture,
-                   const Progress& progress) {
+CycleRunner wave_runner(const WaveOptions& options, bool quiet) {
+  return [options, quiet](const Workload& work, std::span<const TracedRay>, const Architecture& architecture,
+                          const Progress& progress) {
     CycleHooks hooks;
     hooks.waves = {options.file, options.pipeline, 0, kFirstCycles - 1};
     if (!options.cycles.empty()) std::tie(hooks.waves.first, hooks.waves.last) = cycles_of(options);
@@ -120,6 +120,7 @@ CycleRunner wave_runner(const WaveOptions& options) {
                         std::to_string(architecture.machine.pipelines) + "; they are counted from 0.");
     }
     Outcome outcome = run_cycle_detailed(work, architecture, progress, hooks, nullptr);
+    if (quiet) return outcome;
     if (std::filesystem::exists(options.file)) {
       std::cerr << "Waves of pipeline " << hooks.waves.pipeline << ", cycles " << hooks.waves.first << " to "
                 << std::min(hooks.waves.last, outcome.measurements.counters.get("machine.cycles") - 1) << ": "

@@ -26,6 +26,6 @@ struct WaveOptions {
 /// Runs the machine with waves of the wanted cycles: those given, or the ones from dispatch to completion of the rays
 /// of a pixel, or the first thousand. A pixel's cycles are found by a run of the model before. Throws usage_error for
 /// a pixel without rays.
-CycleRunner wave_runner(const WaveOptions& options);
+CycleRunner wave_runner(const WaveOptions& options, bool quiet);
 
 }  // namespace cuesta

@@ -50,11 +50,17 @@ class VerilatedTraverse final : public VerilatedUnit<V, TraversePort> {
     set_port(r.texel_i, in.texel);
     r.lookup_hit_i = 0;
     this->settle();
-    return {r.enable_o != 0,       r.in_valid_i && r.in_ready_o,
-            r.replay_take_o != 0,  r.lookup_retry_o != 0,
-            r.lookup_valid_o != 0, r.lookup_address_o,
-            r.lookup_context_o,    static_cast<uint32_t>(r.slot_id_o),
-            r.hit_valid_o != 0,    r.full_o != 0};
+    const bool moves = r.enable_o != 0;  // what is asked for happens only then
+    return {moves,
+            r.in_valid_i && r.in_ready_o,
+            moves && r.replay_take_o,
+            moves && r.lookup_retry_o,
+            moves && r.lookup_valid_o,
+            r.lookup_address_o,
+            r.lookup_context_o,
+            static_cast<uint32_t>(r.slot_id_o),
+            r.hit_valid_o != 0,
+            r.full_o != 0};
   }
   void answer(bool hit) override {
     rtl().lookup_hit_i = hit;
