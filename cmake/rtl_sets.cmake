@@ -1,4 +1,5 @@
 # The parameter sets of the hardware: rows of rtl/sets.csv.
+set(CUESTA_RTL_NAMED tiny mobile desktop CACHE STRING "Sets of rtl/sets.csv that are always compiled")
 set(CUESTA_RTL_SETS large CACHE STRING
     "Sets of rtl/sets.csv to compile beside tiny, mobile and desktop: names, separated by semicolons, or `all`")
 
@@ -17,7 +18,7 @@ function(cuesta_rtl_sets names_out)
     string(REPLACE "," ";" values "${row}")
     list(POP_FRONT values name)
     list(APPEND known ${name})
-    if(NOT name MATCHES "^(tiny|mobile|desktop)$" AND NOT "all" IN_LIST CUESTA_RTL_SETS
+    if(NOT name IN_LIST CUESTA_RTL_NAMED AND NOT "all" IN_LIST CUESTA_RTL_SETS
         AND NOT name IN_LIST CUESTA_RTL_SETS)
       continue()
     endif()
@@ -35,4 +36,26 @@ function(cuesta_rtl_sets names_out)
     endif()
   endforeach()
   set(${names_out} "${names}" PARENT_SCOPE)
+endfunction()
+
+# cuesta_rtl_set(NAME PARAMETERS Name=value ... VALUES value ... [ASSERT]): the library cuesta_rtl_NAME with hmt_top and
+# traverse compiled for the parameters, as kRtlSet_NAME. VALUES: in the order of the columns. ASSERT: with assertions.
+function(cuesta_rtl_set NAME)
+  cmake_parse_arguments(ARG "ASSERT" "" "PARAMETERS;VALUES" ${ARGN})
+  cuesta_no_leftovers(cuesta_rtl_set ${NAME})
+  set(assert)
+  if(ARG_ASSERT)
+    set(assert ASSERT)
+  endif()
+  cuesta_verilated(hmt_top_${NAME} TOP hmt_top PREFIX Vhmt_top_${NAME} WAVES ${assert}
+      SOURCES ${CUESTA_HMT_TOP_SOURCES} PARAMETERS ${ARG_PARAMETERS})
+  set(of_traverse ${ARG_PARAMETERS})
+  list(FILTER of_traverse EXCLUDE REGEX "^(Setup.*|SizeBytes|LineBytes|Ways|Mshrs)=")
+  cuesta_verilated(traverse_${NAME} TOP traverse PREFIX Vtraverse_${NAME} WAVES ${assert}
+      SOURCES "${CUESTA_TRAVERSE_SV}" PARAMETERS ${of_traverse} AddressBits=32)
+  list(JOIN ARG_VALUES ", " VALUES)
+  configure_file("${PROJECT_SOURCE_DIR}/sim/rtl/set.cpp.in" "set_${NAME}.cpp" @ONLY)
+  cuesta_library(cuesta_rtl_${NAME} SOURCES "${CMAKE_CURRENT_BINARY_DIR}/set_${NAME}.cpp"
+      DEPENDS cuesta_traversal PRIVATE_DEPENDS hmt_top_${NAME} traverse_${NAME})
+  target_compile_definitions(cuesta_rtl_${NAME} PRIVATE CUESTA_RTL_WAVES)
 endfunction()

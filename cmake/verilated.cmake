@@ -6,11 +6,29 @@ set(CUESTA_TRAVERSE_SV "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv" CACHE F
 set(CUESTA_HMT_TOP_SOURCES
     traversal/ray_setup_engine.sv traversal/ray_setup.sv "${CUESTA_TRAVERSE_SV}" memory/height_l1.sv hmt_top.sv)
 
-# cuesta_verilated(NAME TOP module PREFIX V... SOURCES a.sv ... [PARAMETERS N=1 ...] [WAVES])
-# A static library with the class PREFIX, whose header is PREFIX.h. SOURCES: relative to rtl/. WAVES: it can write its signals (FST).
+set(CUESTA_RTL_ASSERTIONS
+    hmt_top_assertions.sv traversal/ray_setup_assertions.sv traversal/traverse_assertions.sv
+    memory/height_l1_assertions.sv assertions.sv)
+
+option(CUESTA_RTL_ASSERT "Verilate all hardware with its assertions, not only what is for tests" OFF)
+set(CUESTA_RTL_OPTIMISE -O3 CACHE STRING "How Verilated code is optimised")
+
+# cuesta_verilated(NAME TOP module PREFIX V... SOURCES a.sv ... [PARAMETERS N=1 ...] [WAVES] [ASSERT])
+# A static library with the class PREFIX, whose header is PREFIX.h. SOURCES: relative to rtl/. WAVES: it can write its
+# signals (FST). ASSERT: with the assertions (of a user's traverse: none); one that does not hold ends the program.
 function(cuesta_verilated name)
-  cmake_parse_arguments(ARG "WAVES" "TOP;PREFIX" "SOURCES;PARAMETERS" ${ARGN})
+  cmake_parse_arguments(ARG "WAVES;ASSERT" "TOP;PREFIX" "SOURCES;PARAMETERS" ${ARGN})
   cuesta_no_leftovers(cuesta_verilated ${name})
+  set(assert)
+  if(ARG_ASSERT OR CUESTA_RTL_ASSERT)
+    set(assert --assert)
+    if(NOT CUESTA_TRAVERSE_SV STREQUAL "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv")
+      list(APPEND assert +define+HMT_OTHER_TRAVERSE)
+    endif()
+    if(NOT ARG_TOP MATCHES "_assertions$")
+      list(APPEND ARG_SOURCES ${CUESTA_RTL_ASSERTIONS})
+    endif()
+  endif()
   set(sources)
   foreach(source IN LISTS ARG_SOURCES)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/rtl")
@@ -25,8 +43,8 @@ function(cuesta_verilated name)
   verilate(${name} SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${sources}
       TOP_MODULE ${ARG_TOP} PREFIX ${ARG_PREFIX} ${waves}
       INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
-      VERILATOR_ARGS -Wall --x-assign unique --x-initial unique ${ARG_PARAMETERS}
-      OPT_FAST -O3 -fno-tree-vectorize OPT_GLOBAL -O3)
+      VERILATOR_ARGS -Wall ${assert} --x-assign unique --x-initial unique ${ARG_PARAMETERS}
+      OPT_FAST ${CUESTA_RTL_OPTIMISE} -fno-tree-vectorize OPT_GLOBAL ${CUESTA_RTL_OPTIMISE})
   # Generated code is not held to the project's warnings.
   target_compile_options(${name} PRIVATE -w)
   target_include_directories(${name} SYSTEM INTERFACE /usr/share/verilator/include)
