@@ -10,6 +10,18 @@ set(CUESTA_RTL_ASSERTIONS
     hmt_top_assertions.sv traversal/ray_setup_assertions.sv traversal/traverse_assertions.sv
     memory/height_l1_assertions.sv assertions.sv)
 
+# Verilator's own code, once for all hardware: verilate() would compile it again for each.
+find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+if(NOT TARGET verilator_runtime)
+  set(verilator_include /usr/share/verilator/include)
+  add_library(verilator_runtime STATIC "${verilator_include}/verilated.cpp" "${verilator_include}/verilated_fst_c.cpp"
+      "${verilator_include}/verilated_threads.cpp")
+  target_include_directories(verilator_runtime SYSTEM PUBLIC "${verilator_include}" "${verilator_include}/vltstd")
+  target_compile_options(verilator_runtime PRIVATE -O3 -w)
+  target_link_libraries(verilator_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
+endif()
+
 option(CUESTA_RTL_ASSERT "Verilate all hardware with its assertions, not only what is for tests" OFF)
 set(CUESTA_RTL_OPTIMISE -O3 CACHE STRING "How Verilated code is optimised")
 
@@ -45,7 +57,10 @@ function(cuesta_verilated name)
       INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
       VERILATOR_ARGS -Wall ${assert} --x-assign unique --x-initial unique ${ARG_PARAMETERS}
       OPT_FAST ${CUESTA_RTL_OPTIMISE} -fno-tree-vectorize OPT_GLOBAL ${CUESTA_RTL_OPTIMISE})
+  get_target_property(with_runtime ${name} SOURCES)
+  list(FILTER with_runtime EXCLUDE REGEX "^/usr/share/verilator/include/")
+  set_target_properties(${name} PROPERTIES SOURCES "${with_runtime}")
+  target_link_libraries(${name} PUBLIC verilator_runtime)
   # Generated code is not held to the project's warnings.
   target_compile_options(${name} PRIVATE -w)
-  target_include_directories(${name} SYSTEM INTERFACE /usr/share/verilator/include)
 endfunction()
