@@ -274,212 +274,218 @@ module traverse #(
     end
   end
 
-  // A stage computes only while a step is in it.
+  // ---- The stages. Each computes only while a step is in it.
+  task automatic do_stage_1;
+    logic [MantissaBits:0] mx, my;
+    logic signed [ProductBits-1:0] ox, oy;
+    {mx, ox} = line_x_q[context_1][MantissaBits+ProductBits:0];
+    {my, oy} = line_y_q[context_1][MantissaBits+ProductBits:0];
+    level_2_q <= level_1_q;
+    node_x_2_q <= node_x_1_q;
+    node_y_2_q <= node_y_1_q;
+    px_2_q <= product((ProductBits'(node_x_1_q) + ProductBits'(1)) <<< level_1_q, mx, ox);
+    py_2_q <= product((ProductBits'(node_y_1_q) + ProductBits'(1)) <<< level_1_q, my, oy);
+    bound_2_q <= texel_i;
+  endtask
+
+  task automatic do_stage_2;
+    logic still_x, still_y;
+    logic [ShiftBits-1:0] ex, ey;
+    logic [MantissaBits:0] mx, my, mz;
+    logic signed [ProductBits-1:0] oz, breadth_x, breadth_y, enter_x, enter_y, rise;
+    {still_x, ex, mx} = line_x_q[context_2][LineBits-1:ProductBits];
+    {still_y, ey, my} = line_y_q[context_2][LineBits-1:ProductBits];
+    {mz, oz} = line_z_q[context_2][MantissaBits+ProductBits:0];
+    // Products over the breadth of a node: from the exit plane to the planes of entry and of the next node's exit.
+    breadth_x = breadth(mx, level_2_q);
+    breadth_y = breadth(my, level_2_q);
+    enter_x = px_2_q - breadth_x;
+    enter_y = py_2_q - breadth_y;
+    rise = product($signed(ProductBits'({1'b0, bound_2_q})), mz, oz);
+    level_3_q <= level_2_q;
+    node_x_3_q <= node_x_2_q;
+    node_y_3_q <= node_y_2_q;
+    px_3_q <= px_2_q;
+    py_3_q <= py_2_q;
+    pz_3_q <= ways_q[context_2][0] ? rise : -rise;
+    t_x_3_q <= time_of(px_2_q, still_x, ex, cfg_t_end_i);
+    t_y_3_q <= time_of(py_2_q, still_y, ey, cfg_t_end_i);
+    enter_t_x_3_q <= time_of(enter_x, still_x, ex, cfg_t_end_i);
+    enter_t_y_3_q <= time_of(enter_y, still_y, ey, cfg_t_end_i);
+    before_x_3_q <= enter_x[ProductBits-1];
+    before_y_3_q <= enter_y[ProductBits-1];
+    next_t_x_3_q <= time_of(px_2_q + breadth_x, still_x, ex, cfg_t_end_i);
+    next_t_y_3_q <= time_of(py_2_q + breadth_y, still_y, ey, cfg_t_end_i);
+  endtask
+
+  task automatic do_stage_3;
+    logic still_z;
+    logic [ShiftBits-1:0] ez;
+    {still_z, ez} = line_z_q[context_3][LineBits-1-:ShiftBits+1];
+    level_4_q <= level_3_q;
+    node_x_4_q <= node_x_3_q;
+    node_y_4_q <= node_y_3_q;
+    px_4_q <= px_3_q;
+    py_4_q <= py_3_q;
+    t_x_4_q <= t_x_3_q;
+    t_y_4_q <= t_y_3_q;
+    t_z_4_q <= time_of(pz_3_q, still_z, ez, cfg_t_end_i);
+    before_z_4_q <= pz_3_q[ProductBits-1];
+    enter_t_x_4_q <= enter_t_x_3_q;
+    enter_t_y_4_q <= enter_t_y_3_q;
+    before_x_4_q <= before_x_3_q;
+    before_y_4_q <= before_y_3_q;
+    next_t_x_4_q <= next_t_x_3_q;
+    next_t_y_4_q <= next_t_y_3_q;
+  endtask
+
+  task automatic do_stage_4;
+    logic rising, leaf, hits, top, walls, wall_x, skip, cross_x, cross_y, still_x, still_y, upper_x, upper_y;
+    logic [ShiftBits-1:0] ex, ey;
+    logic [MantissaBits:0] mx, my;
+    logic [TimeBits-1:0] t_cur, t_start, t_out, reached, t_in, t_hit, next_x, next_y, beyond;
+    logic signed [ProductBits-1:0] half_x, half_y;
+    {still_x, ex, mx} = line_x_q[context_4][LineBits-1:ProductBits];
+    {still_y, ey, my} = line_y_q[context_4][LineBits-1:ProductBits];
+    rising = ways_q[context_4][0];
+    t_cur = t_cur_q[context_4];
+    t_start = t_start_q[context_4];
+    t_out = (t_x_4_q < t_y_4_q) ? t_x_4_q : t_y_4_q;
+    reached = rising ? t_cur : later(t_cur, t_z_4_q);
+    leaf = level_4_q == cfg_stop_level_i;
+    t_in = later(t_start, later(enter_t_x_4_q, enter_t_y_4_q));
+    t_hit = rising ? t_in : later(t_in, t_z_4_q);
+    hits = leaf & (t_hit < t_out) & (t_hit < t_max_q[context_4]) &
+        (~rising | (~before_z_4_q & (t_in < t_z_4_q)));
+    top = ~rising & ~before_z_4_q & (t_z_4_q >= t_in);
+    walls = (~before_x_4_q & (enter_t_x_4_q >= t_start)) | (~before_y_4_q & (enter_t_y_4_q >= t_start));
+    wall_x = ~before_x_4_q & (before_y_4_q | (enter_t_x_4_q >= enter_t_y_4_q));
+    skip = leaf | (rising ? (t_z_4_q <= t_cur) : (reached >= t_out));
+    cross_x = skip & (t_x_4_q == t_out);
+    cross_y = skip & (t_y_4_q == t_out);
+    next_x = cross_x ? next_t_x_4_q : t_x_4_q;
+    next_y = cross_y ? next_t_y_4_q : t_y_4_q;
+    beyond = later(t_out, t_z_4_q);
+    level_5_q <= level_4_q;
+    hits_5_q <= hits;
+    skip_5_q <= skip;
+    cross_x_5_q <= cross_x;
+    cross_y_5_q <= cross_y;
+    neighbour_skipped_5_q <= rising | (beyond >= next_x) | (beyond >= next_y);
+    face_5_q <= top ? HmtFaceTop : ~walls ? HmtFaceInside : wall_x ? HmtFaceWallX : HmtFaceWallY;
+    t_5_q <= hits ? t_hit : skip ? t_out : reached;
+    node_x_5_q <= node_x_4_q;
+    node_y_5_q <= node_y_4_q;
+    if (skip) begin
+      if (!hits) begin
+        node_x_5_q <= node_x_4_q + {{(PlaneBits - 1) {1'b0}}, cross_x};
+        node_y_5_q <= node_y_4_q + {{(PlaneBits - 1) {1'b0}}, cross_y};
+      end
+    end else begin
+      // Half the breadth of the node, for the plane in its middle.
+      half_x = breadth(mx, level_4_q) >>> 1;
+      half_y = breadth(my, level_4_q) >>> 1;
+      upper_x = at_most(px_4_q - half_x, still_x, ex, reached);
+      upper_y = at_most(py_4_q - half_y, still_y, ey, reached);
+      node_x_5_q <= (node_x_4_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
+      node_y_5_q <= (node_y_4_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
+      px_5_q <= upper_x ? px_4_q : px_4_q - half_x;
+      py_5_q <= upper_y ? py_4_q : py_4_q - half_y;
+    end
+  endtask
+
+  task automatic do_stage_5;
+    logic even_axis, rule, up, outside, further;
+    logic [1:0] down;
+    logic [CrossedBits-1:0] crossed;
+    logic signed [PlaneBits-1:0] node_x, node_y;
+    logic [HmtLevelBits-1:0] level, side_bits;
+    {down, crossed} = state_q[context_5][3+:CrossedBits+2];
+    even_axis = (cross_x_5_q & ~node_x_5_q[0]) | (cross_y_5_q & ~node_y_5_q[0]);
+    case (cfg_up_i)
+      HmtUpAlways: rule = 1'b1;
+      HmtUpInterval: rule = ~level_5_q[0];
+      HmtUpEvenAxis: rule = even_axis;
+      HmtUpBothEven: rule = ~node_x_5_q[0] & ~node_y_5_q[0];
+      HmtUpSelective: rule = neighbour_skipped_5_q;
+      HmtUpSelectiveEven: rule = even_axis & neighbour_skipped_5_q;
+      HmtUpCoherent: rule = crossed == {1'b1, level_5_q};
+      default: rule = 1'b0;
+    endcase
+    up = skip_5_q & (level_5_q < cfg_root_level_i) & rule;
+    node_x = up ? node_x_5_q >>> 1 : node_x_5_q;
+    node_y = up ? node_y_5_q >>> 1 : node_y_5_q;
+    level = level_5_q + {{(HmtLevelBits - 1) {1'b0}}, up} - {{(HmtLevelBits - 1) {1'b0}}, ~skip_5_q};
+    side_bits = cfg_root_level_i - level;
+    outside = cfg_border_i & (((node_x >>> side_bits) != '0) | ((node_y >>> side_bits) != '0));
+    // Levels below the stop level are never entered.
+    further = ~skip_5_q & ~hits_5_q & (down > 2'd1) & (level > cfg_stop_level_i);
+    hits_6_q <= hits_5_q;
+    misses_6_q <= (t_5_q >= t_max_q[context_5]) |
+        (ways_q[context_5][0] & (t_root_q[context_5] <= t_5_q)) | outside;
+    face_6_q <= hits_5_q ? face_5_q : HmtFaceNone;
+    t_6_q <= t_5_q;
+    down_6_q <= skip_5_q ? 2'd1 : down;
+    crossed_6_q <= {skip_5_q, level_5_q};
+    level_6_q <= hits_5_q ? level_5_q : level;
+    node_x_6_q <= hits_5_q ? node_x_5_q : node_x;
+    node_y_6_q <= hits_5_q ? node_y_5_q : node_y;
+    px_6_q <= px_5_q;
+    py_6_q <= py_5_q;
+    further_6_q <= further;
+    further_twice_6_q <= further & (down > 2'd2) & (level > cfg_stop_level_i + 1'b1);
+  endtask
+
+  task automatic do_stage_6;
+    logic still_x, still_y, upper_x, upper_y;
+    logic [ShiftBits-1:0] ex, ey;
+    logic [MantissaBits:0] mx, my;
+    logic signed [ProductBits-1:0] px, py, half_x, half_y;
+    logic signed [PlaneBits-1:0] node_x, node_y;
+    logic [HmtLevelBits-1:0] level;
+    level = level_6_q;
+    node_x = node_x_6_q;
+    node_y = node_y_6_q;
+    if (further_6_q) begin
+      {still_x, ex, mx} = line_x_q[context_6][LineBits-1:ProductBits];
+      {still_y, ey, my} = line_y_q[context_6][LineBits-1:ProductBits];
+      half_x = breadth(mx, level_6_q) >>> 1;
+      half_y = breadth(my, level_6_q) >>> 1;
+      upper_x = at_most(px_6_q - half_x, still_x, ex, t_6_q);
+      upper_y = at_most(py_6_q - half_y, still_y, ey, t_6_q);
+      level = level_6_q - 1'b1;
+      node_x = (node_x <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
+      node_y = (node_y <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
+      if (further_twice_6_q) begin
+        px = upper_x ? px_6_q : px_6_q - half_x;
+        py = upper_y ? py_6_q : py_6_q - half_y;
+        upper_x = at_most(px - (half_x >>> 1), still_x, ex, t_6_q);
+        upper_y = at_most(py - (half_y >>> 1), still_y, ey, t_6_q);
+        level = level_6_q - HmtLevelBits'(2);
+        node_x = (node_x <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
+        node_y = (node_y <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
+      end
+    end
+    place_q[context_6] <= {level, node_x, node_y};
+    t_cur_q[context_6] <= t_6_q;
+    state_q[context_6] <= {state_q[context_6][StateBits-1-:32] + 32'd1, down_6_q, crossed_6_q, face_6_q};
+  endtask
+
   always_ff @(posedge clk_i) begin
     if (enable) begin
-      slot_context_q <= {slot_context_q[(Stages-1)*ContextBits-1:0], context_0};
-
+      // From the last on: each reads what the one before has written a cycle ago.
+      if (step_q[6]) do_stage_6();
+      if (step_q[5]) do_stage_5();
+      if (step_q[4]) do_stage_4();
+      if (step_q[3]) do_stage_3();
+      if (step_q[2]) do_stage_2();
+      if (step_q[1]) do_stage_1();
       if (step_0) begin
         level_1_q <= level_0;
         node_x_1_q <= node_x_0;
         node_y_1_q <= node_y_0;
       end
-
-      if (step_q[1]) begin : stage_1
-        logic [MantissaBits:0] mx, my;
-        logic signed [ProductBits-1:0] ox, oy;
-        {mx, ox} = line_x_q[context_1][MantissaBits+ProductBits:0];
-        {my, oy} = line_y_q[context_1][MantissaBits+ProductBits:0];
-        level_2_q <= level_1_q;
-        node_x_2_q <= node_x_1_q;
-        node_y_2_q <= node_y_1_q;
-        px_2_q <= product((ProductBits'(node_x_1_q) + ProductBits'(1)) <<< level_1_q, mx, ox);
-        py_2_q <= product((ProductBits'(node_y_1_q) + ProductBits'(1)) <<< level_1_q, my, oy);
-        bound_2_q <= texel_i;
-      end
-
-      if (step_q[2]) begin : stage_2
-        logic still_x, still_y;
-        logic [ShiftBits-1:0] ex, ey;
-        logic [MantissaBits:0] mx, my, mz;
-        logic signed [ProductBits-1:0] oz, breadth_x, breadth_y, enter_x, enter_y, rise;
-        {still_x, ex, mx} = line_x_q[context_2][LineBits-1:ProductBits];
-        {still_y, ey, my} = line_y_q[context_2][LineBits-1:ProductBits];
-        {mz, oz} = line_z_q[context_2][MantissaBits+ProductBits:0];
-        // Products over the breadth of a node: from the exit plane to the planes of entry and of the next node's exit.
-        breadth_x = breadth(mx, level_2_q);
-        breadth_y = breadth(my, level_2_q);
-        enter_x = px_2_q - breadth_x;
-        enter_y = py_2_q - breadth_y;
-        rise = product($signed(ProductBits'({1'b0, bound_2_q})), mz, oz);
-        level_3_q <= level_2_q;
-        node_x_3_q <= node_x_2_q;
-        node_y_3_q <= node_y_2_q;
-        px_3_q <= px_2_q;
-        py_3_q <= py_2_q;
-        pz_3_q <= ways_q[context_2][0] ? rise : -rise;
-        t_x_3_q <= time_of(px_2_q, still_x, ex, cfg_t_end_i);
-        t_y_3_q <= time_of(py_2_q, still_y, ey, cfg_t_end_i);
-        enter_t_x_3_q <= time_of(enter_x, still_x, ex, cfg_t_end_i);
-        enter_t_y_3_q <= time_of(enter_y, still_y, ey, cfg_t_end_i);
-        before_x_3_q <= enter_x[ProductBits-1];
-        before_y_3_q <= enter_y[ProductBits-1];
-        next_t_x_3_q <= time_of(px_2_q + breadth_x, still_x, ex, cfg_t_end_i);
-        next_t_y_3_q <= time_of(py_2_q + breadth_y, still_y, ey, cfg_t_end_i);
-      end
-
-      if (step_q[3]) begin : stage_3
-        logic still_z;
-        logic [ShiftBits-1:0] ez;
-        {still_z, ez} = line_z_q[context_3][LineBits-1-:ShiftBits+1];
-        level_4_q <= level_3_q;
-        node_x_4_q <= node_x_3_q;
-        node_y_4_q <= node_y_3_q;
-        px_4_q <= px_3_q;
-        py_4_q <= py_3_q;
-        t_x_4_q <= t_x_3_q;
-        t_y_4_q <= t_y_3_q;
-        t_z_4_q <= time_of(pz_3_q, still_z, ez, cfg_t_end_i);
-        before_z_4_q <= pz_3_q[ProductBits-1];
-        enter_t_x_4_q <= enter_t_x_3_q;
-        enter_t_y_4_q <= enter_t_y_3_q;
-        before_x_4_q <= before_x_3_q;
-        before_y_4_q <= before_y_3_q;
-        next_t_x_4_q <= next_t_x_3_q;
-        next_t_y_4_q <= next_t_y_3_q;
-      end
-
-      if (step_q[4]) begin : stage_4
-        logic rising, leaf, hits, top, walls, wall_x, skip, cross_x, cross_y, still_x, still_y, upper_x, upper_y;
-        logic [ShiftBits-1:0] ex, ey;
-        logic [MantissaBits:0] mx, my;
-        logic [TimeBits-1:0] t_cur, t_start, t_out, reached, t_in, t_hit, next_x, next_y, beyond;
-        logic signed [ProductBits-1:0] half_x, half_y;
-        {still_x, ex, mx} = line_x_q[context_4][LineBits-1:ProductBits];
-        {still_y, ey, my} = line_y_q[context_4][LineBits-1:ProductBits];
-        rising = ways_q[context_4][0];
-        t_cur = t_cur_q[context_4];
-        t_start = t_start_q[context_4];
-        t_out = (t_x_4_q < t_y_4_q) ? t_x_4_q : t_y_4_q;
-        reached = rising ? t_cur : later(t_cur, t_z_4_q);
-        leaf = level_4_q == cfg_stop_level_i;
-        t_in = later(t_start, later(enter_t_x_4_q, enter_t_y_4_q));
-        t_hit = rising ? t_in : later(t_in, t_z_4_q);
-        hits = leaf & (t_hit < t_out) & (t_hit < t_max_q[context_4]) &
-            (~rising | (~before_z_4_q & (t_in < t_z_4_q)));
-        top = ~rising & ~before_z_4_q & (t_z_4_q >= t_in);
-        walls = (~before_x_4_q & (enter_t_x_4_q >= t_start)) | (~before_y_4_q & (enter_t_y_4_q >= t_start));
-        wall_x = ~before_x_4_q & (before_y_4_q | (enter_t_x_4_q >= enter_t_y_4_q));
-        skip = leaf | (rising ? (t_z_4_q <= t_cur) : (reached >= t_out));
-        cross_x = skip & (t_x_4_q == t_out);
-        cross_y = skip & (t_y_4_q == t_out);
-        next_x = cross_x ? next_t_x_4_q : t_x_4_q;
-        next_y = cross_y ? next_t_y_4_q : t_y_4_q;
-        beyond = later(t_out, t_z_4_q);
-        level_5_q <= level_4_q;
-        hits_5_q <= hits;
-        skip_5_q <= skip;
-        cross_x_5_q <= cross_x;
-        cross_y_5_q <= cross_y;
-        neighbour_skipped_5_q <= rising | (beyond >= next_x) | (beyond >= next_y);
-        face_5_q <= top ? HmtFaceTop : ~walls ? HmtFaceInside : wall_x ? HmtFaceWallX : HmtFaceWallY;
-        t_5_q <= hits ? t_hit : skip ? t_out : reached;
-        node_x_5_q <= node_x_4_q;
-        node_y_5_q <= node_y_4_q;
-        if (skip) begin
-          if (!hits) begin
-            node_x_5_q <= node_x_4_q + {{(PlaneBits - 1) {1'b0}}, cross_x};
-            node_y_5_q <= node_y_4_q + {{(PlaneBits - 1) {1'b0}}, cross_y};
-          end
-        end else begin
-          // Half the breadth of the node, for the plane in its middle.
-          half_x = breadth(mx, level_4_q) >>> 1;
-          half_y = breadth(my, level_4_q) >>> 1;
-          upper_x = at_most(px_4_q - half_x, still_x, ex, reached);
-          upper_y = at_most(py_4_q - half_y, still_y, ey, reached);
-          node_x_5_q <= (node_x_4_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
-          node_y_5_q <= (node_y_4_q <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
-          px_5_q <= upper_x ? px_4_q : px_4_q - half_x;
-          py_5_q <= upper_y ? py_4_q : py_4_q - half_y;
-        end
-      end
-
-      if (step_q[5]) begin : stage_5
-        logic even_axis, rule, up, outside, further;
-        logic [1:0] down;
-        logic [CrossedBits-1:0] crossed;
-        logic signed [PlaneBits-1:0] node_x, node_y;
-        logic [HmtLevelBits-1:0] level, side_bits;
-        {down, crossed} = state_q[context_5][3+:CrossedBits+2];
-        even_axis = (cross_x_5_q & ~node_x_5_q[0]) | (cross_y_5_q & ~node_y_5_q[0]);
-        case (cfg_up_i)
-          HmtUpAlways: rule = 1'b1;
-          HmtUpInterval: rule = ~level_5_q[0];
-          HmtUpEvenAxis: rule = even_axis;
-          HmtUpBothEven: rule = ~node_x_5_q[0] & ~node_y_5_q[0];
-          HmtUpSelective: rule = neighbour_skipped_5_q;
-          HmtUpSelectiveEven: rule = even_axis & neighbour_skipped_5_q;
-          HmtUpCoherent: rule = crossed == {1'b1, level_5_q};
-          default: rule = 1'b0;
-        endcase
-        up = skip_5_q & (level_5_q < cfg_root_level_i) & rule;
-        node_x = up ? node_x_5_q >>> 1 : node_x_5_q;
-        node_y = up ? node_y_5_q >>> 1 : node_y_5_q;
-        level = level_5_q + {{(HmtLevelBits - 1) {1'b0}}, up} - {{(HmtLevelBits - 1) {1'b0}}, ~skip_5_q};
-        side_bits = cfg_root_level_i - level;
-        outside = cfg_border_i & (((node_x >>> side_bits) != '0) | ((node_y >>> side_bits) != '0));
-        // Levels below the stop level are never entered.
-        further = ~skip_5_q & ~hits_5_q & (down > 2'd1) & (level > cfg_stop_level_i);
-        hits_6_q <= hits_5_q;
-        misses_6_q <= (t_5_q >= t_max_q[context_5]) |
-            (ways_q[context_5][0] & (t_root_q[context_5] <= t_5_q)) | outside;
-        face_6_q <= hits_5_q ? face_5_q : HmtFaceNone;
-        t_6_q <= t_5_q;
-        down_6_q <= skip_5_q ? 2'd1 : down;
-        crossed_6_q <= {skip_5_q, level_5_q};
-        level_6_q <= hits_5_q ? level_5_q : level;
-        node_x_6_q <= hits_5_q ? node_x_5_q : node_x;
-        node_y_6_q <= hits_5_q ? node_y_5_q : node_y;
-        px_6_q <= px_5_q;
-        py_6_q <= py_5_q;
-        further_6_q <= further;
-        further_twice_6_q <= further & (down > 2'd2) & (level > cfg_stop_level_i + 1'b1);
-      end
-
-      if (step_q[6]) begin : stage_6
-        logic still_x, still_y, upper_x, upper_y;
-        logic [ShiftBits-1:0] ex, ey;
-        logic [MantissaBits:0] mx, my;
-        logic signed [ProductBits-1:0] px, py, half_x, half_y;
-        logic signed [PlaneBits-1:0] node_x, node_y;
-        logic [HmtLevelBits-1:0] level;
-        level = level_6_q;
-        node_x = node_x_6_q;
-        node_y = node_y_6_q;
-        if (further_6_q) begin
-          {still_x, ex, mx} = line_x_q[context_6][LineBits-1:ProductBits];
-          {still_y, ey, my} = line_y_q[context_6][LineBits-1:ProductBits];
-          half_x = breadth(mx, level_6_q) >>> 1;
-          half_y = breadth(my, level_6_q) >>> 1;
-          upper_x = at_most(px_6_q - half_x, still_x, ex, t_6_q);
-          upper_y = at_most(py_6_q - half_y, still_y, ey, t_6_q);
-          level = level_6_q - 1'b1;
-          node_x = (node_x <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
-          node_y = (node_y <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
-          if (further_twice_6_q) begin
-            px = upper_x ? px_6_q : px_6_q - half_x;
-            py = upper_y ? py_6_q : py_6_q - half_y;
-            upper_x = at_most(px - (half_x >>> 1), still_x, ex, t_6_q);
-            upper_y = at_most(py - (half_y >>> 1), still_y, ey, t_6_q);
-            level = level_6_q - HmtLevelBits'(2);
-            node_x = (node_x <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_x};
-            node_y = (node_y <<< 1) | {{(PlaneBits - 1) {1'b0}}, upper_y};
-          end
-        end
-        place_q[context_6] <= {level, node_x, node_y};
-        t_cur_q[context_6] <= t_6_q;
-        state_q[context_6] <= {state_q[context_6][StateBits-1-:32] + 32'd1, down_6_q, crossed_6_q, face_6_q};
-      end
+      slot_context_q <= {slot_context_q[(Stages-1)*ContextBits-1:0], context_0};
 
       if (fresh) begin
         id_q[context_0] <= in_id_i;
