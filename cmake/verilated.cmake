@@ -55,7 +55,8 @@ function(cuesta_verilated name)
   verilate(${name} SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${sources}
       TOP_MODULE ${ARG_TOP} PREFIX ${ARG_PREFIX} ${waves}
       INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
-      VERILATOR_ARGS -Wall ${assert} --x-assign unique --x-initial unique ${ARG_PARAMETERS}
+      # A process in pieces reads registers that another piece has written: -fno-split saves their copies.
+      VERILATOR_ARGS -Wall ${assert} --x-assign unique --x-initial unique -fno-split ${ARG_PARAMETERS}
       OPT_FAST ${CUESTA_RTL_OPTIMISE} -fno-tree-vectorize OPT_GLOBAL ${CUESTA_RTL_OPTIMISE})
   get_target_property(with_runtime ${name} SOURCES)
   list(FILTER with_runtime EXCLUDE REGEX "^/usr/share/verilator/include/")
