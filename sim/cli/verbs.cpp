@@ -30,6 +30,8 @@ constexpr Verb kVerbs[] = {
      "cuesta list parameters", make_list_command},
     {"verify oracle", "Holds traversal against exact arithmetic, ray by ray.",
      "cuesta verify oracle --threads 2", make_verify_oracle_command},
+    {"verify rtl", "Holds the model against the Verilated hardware, cycle by cycle.",
+     "cuesta verify rtl --seconds 60 --workers 2", make_verify_rtl_command},
     {"verify laws", "Holds every algorithm on every machine against the conservation laws of the accounting.",
      "cuesta verify laws --size 64", make_verify_laws_command},
 };
@@ -41,7 +43,7 @@ struct Group {
 constexpr Group kGroups[] = {
     {"heightmap", "Make a heightmap, or see what a file holds and how it will be read."},
     {"rays", "Make a set of rays, look into a ray trace, convert it to and from CSV, check it."},
-    {"verify", "Hold results against exact arithmetic or the laws of the accounting."},
+    {"verify", "Hold results against exact arithmetic, the hardware or the laws of the accounting."},
 };
 
 }  // namespace

@@ -25,6 +25,7 @@ std::unique_ptr<Command> make_heightmap_info_command();
 std::unique_ptr<Command> make_study_command();
 std::unique_ptr<Command> make_list_command();
 std::unique_ptr<Command> make_verify_oracle_command();
+std::unique_ptr<Command> make_verify_rtl_command();
 std::unique_ptr<Command> make_verify_laws_command();
 
 }  // namespace cuesta

@@ -82,6 +82,8 @@ std::string write_case(const LockstepCase& one, const std::filesystem::path& fol
     arguments += " --stalls " + text_of(one.machine.stalls);
     break;
   }
+  if (one.machine.register_seed != 0)
+    arguments += fmt::format(" --register-seed {}", one.machine.register_seed);
   if (one.machine.memory) arguments += " --memory " + text_of(*one.machine.memory);
   return arguments;
 }

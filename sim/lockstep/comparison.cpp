@@ -22,9 +22,9 @@ std::string named(const std::array<std::string_view, N>& names, uint8_t value) {
   return fmt::format("{} ({:#x})", value < N ? names[value] : "unknown", value);
 }
 
-/// Counted ahead of time: compared at the end.
+/// Counted ahead of time, or by hardware when the request leaves in the place of its allocation: compared at the end.
 bool known_at_the_end_only(const std::string& path) {
-  return path == "ray_dispatch.rays" || path.starts_with("ray_setup[");
+  return path == "ray_dispatch.rays" || path.starts_with("ray_setup[") || path.ends_with("].unique_lines");
 }
 
 /// Goes on while both logs have the same entry of a cycle below `end`; true where one then has another one.
@@ -186,8 +186,10 @@ void Comparison::compare_fills(int pipeline, Cycle end) {
   };
   if (by_cycle_) fill("ray_setup", "rays_before_traverse", a.rays_before_traverse, b.rays_before_traverse);
   fill("traverse", "contexts", a.contexts, b.contexts);
-  fill("height_l1", "mshrs", a.mshrs, b.mshrs);
-  fill("height_l1", "retries", a.retries, b.retries);
+  if (!left_.hides_mshrs() && !right_.hides_mshrs()) {
+    fill("height_l1", "mshrs", a.mshrs, b.mshrs);
+    fill("height_l1", "retries", a.retries, b.retries);
+  }
   fill("hit_queue", "fill", a.hit_queue, b.hit_queue);
   fill("result_writer", "burst_records", a.burst_records, b.burst_records);
   fill("result_writer", "bursts_unacknowledged", a.bursts, b.bursts);

@@ -9,7 +9,8 @@
 namespace cuesta {
 namespace {
 
-constexpr Cycle kBlock = 4096;  ///< cycles between two comparisons
+constexpr Cycle kBlock = 4096;      ///< cycles between two comparisons
+constexpr Cycle kShortBlock = 512;  ///< of the small cases that a shrinker tries
 
 /// Both sides from reset on. What they have in common of the value is made once.
 class Pair {
@@ -70,16 +71,17 @@ std::vector<Difference> first_differences(const LockstepCase& one, const Lockste
 
 LockstepResult run_lockstep(const LockstepCase& one, const LockstepSide& left, const LockstepSide& right,
                             LockstepDepth depth, const LockstepWatch& watch) {
-  Pair pair(one, left, right, kBlock);
+  const Cycle block = depth == LockstepDepth::kWhether ? kShortBlock : kBlock;
+  Pair pair(one, left, right, block);
   LockstepResult result;
   Cycle end = 0;
   while (!pair.done() && !pair.stuck() && !result.stopped && result.equal()) {
-    end += kBlock;
+    end += block;
     result.differences = pair.advance(end);
     result.stopped = watch && !watch(pair.rays());
   }
   if (!result.equal() && depth == LockstepDepth::kFirstCycle) {
-    std::vector<Difference> first = first_differences(one, left, right, end - kBlock, end);
+    std::vector<Difference> first = first_differences(one, left, right, end - block, end);
     if (!first.empty()) result.differences = std::move(first);
   }
   if (result.equal() && !result.stopped) result.differences = pair.at_the_end(end);

@@ -13,6 +13,7 @@ std::string describe(const LockstepCase& one) {
                                  one.seed, name_of(machine.schedule), map.width, map.height, map.bits,
                                  name_of(map.address_mode), one.rays.size(), one.width, one.height);
   text += "stalls: " + text_of(machine.stalls) + "\n";
+  text += fmt::format("register seed: {}\n", machine.register_seed);
   text += "memory: " + (machine.memory ? text_of(*machine.memory) : "the machine's dram") + "\n";
   for (const Parameter& parameter : parameters()) {
     text += fmt::format("{} = {}\n", parameter.path, parameter.text(parameter.get(machine.architecture)));

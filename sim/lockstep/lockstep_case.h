@@ -20,7 +20,8 @@ namespace cuesta {
 struct LockstepMachine {
   Architecture architecture;
   Schedule schedule;
-  PortStalls stalls;  ///< no chance above 0: none
+  PortStalls stalls;      ///< no chance above 0: none
+  int register_seed = 0;  ///< hardware: of what registers without a reset begin with; 0: zeros
   std::optional<MemoryTiming>
       memory;  ///< rays and memory from outside; none: all rays at once, the machine's own dram
 };

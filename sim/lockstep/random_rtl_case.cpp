@@ -12,10 +12,11 @@ namespace {
 
 constexpr int kFrame = 20;  ///< pixels on a side
 
-/// Small maps often: a large one costs more to make than its rays to trace.
+/// Small maps and such as do not fit into a cache; large ones cost more to make than their rays to trace.
 int random_level(Random& random, int max_level) {
-  const int most = random.chance(0.9) ? 7 : random.chance(0.97) ? 10 : 12;
-  return static_cast<int>(random.between(0, std::min(most, max_level)));
+  if (random.chance(0.5)) return static_cast<int>(random.between(0, std::min(6, max_level)));
+  const int most = random.chance(0.9) ? 9 : random.chance(0.95) ? 10 : 12;
+  return static_cast<int>(random.between(std::min(7, max_level), std::min(most, max_level)));
 }
 
 RandomMap random_square_map(Random& random, const RtlStructure& structure,
@@ -97,6 +98,8 @@ LockstepCase random_rtl_case(const RtlStructure& structure, uint64_t seed, int m
   if (random.chance(0.67)) one.machine.stalls = random_stalls(random);
   if (structure.setup_inside) one.machine.stalls.per_mille[static_cast<int>(Port::kSetup)] = 0;
   if (random.chance(0.5)) one.machine.memory = random_memory(random, a.dram);
+
+  one.machine.register_seed = static_cast<int>(random.between(1, 1 << 30));
 
   const RandomMap map = random_square_map(random, structure, a.traverse);
   one.address_mode = map.shape.address_mode;

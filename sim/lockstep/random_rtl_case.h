@@ -15,8 +15,9 @@ struct RtlStructure {
       true;  ///< the port between ray_setup and traverse is inside the hardware: it knows no stalls
 };
 
-/// A random workload on a random machine of this structure; everything follows from the seed: a square map, mostly
-/// of at most 128 texels on a side, now and then up to 4096; schedule, stop level, address mode, layout, queues, dram;
+/// A random workload on a random machine of this structure; everything follows from the seed: a square map, half of
+/// them of at most 64 texels on a side, mostly of at most 512, now and then up to 4096; schedule, stop level, address
+/// mode, layout, queues, dram;
 /// 1 or 2 pipelines; stalls on all ports in two of three; memory outside, with answers in random order, in half;
 /// 1 to `most_rays` rays.
 LockstepCase random_rtl_case(const RtlStructure& structure, uint64_t seed, int most_rays = 400);

@@ -48,13 +48,15 @@ bool LockstepWork::serves(const LockstepCase& one, const LockstepMachine& machin
 }
 
 LockstepRig::LockstepRig(const LockstepCase& one, const LockstepMachine& machine,
-                         std::shared_ptr<const LockstepWork> work)
+                         std::shared_ptr<const LockstepWork> work, const WaveWindow& waves)
     : settings_(machine),
       work_(std::move(work)),
       layout_(machine.architecture.texels.layout, *work_->pyramid) {
   CycleHooks hooks;
   if (any(settings_.stalls)) hooks.stalls = &settings_.stalls;
   hooks.port_logs = &logs_;
+  hooks.waves = waves;
+  hooks.register_seed = machine.register_seed;
   const Workload load = workload(one, settings_.schedule, *work_);
   const DramParameters& dram = settings_.architecture.dram;
   if (settings_.memory) {

@@ -29,7 +29,7 @@ struct LockstepWork {
 class LockstepRig {
  public:
   LockstepRig(const LockstepCase& one, const LockstepMachine& machine,
-              std::shared_ptr<const LockstepWork> work);
+              std::shared_ptr<const LockstepWork> work, const WaveWindow& waves = {});
 
   /// Everything in cycles below `end`; a machine that makes no progress, or that does what no machine may, is `stuck`.
   void advance(Cycle end);
@@ -42,6 +42,8 @@ class LockstepRig {
   const CycleMachine& machine() const { return *machine_; }
   std::vector<PortLog>& logs() { return logs_; }
   const TexelLayout& layout() const { return layout_; }
+  /// Its height_l1 is hardware, which does not show how many MSHRs and retries there are.
+  bool hides_mshrs() const { return settings_.architecture.units.hmt_top == Implementation::kRtl; }
   const LockstepWork& work() const { return *work_; }
   /// Of a ray in the machine's order, its place in the case's rays.
   uint32_t position(uint32_t ray) const { return order_[ray]; }

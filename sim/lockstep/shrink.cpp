@@ -1,9 +1,11 @@
 #include "sim/lockstep/shrink.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "models/common/error.h"
+#include "models/dispatch/dispatch_order.h"
 
 namespace cuesta {
 namespace {
@@ -13,10 +15,15 @@ class Shrinker {
   Shrinker(const LockstepCase& failing, const CaseFails& fails, int most_runs)
       : best_(failing), fails_(fails), most_runs_(most_runs) {}
 
-  ShrunkCase run() {
+  ShrunkCase run(uint64_t completed) {
+    rays_about(completed);
+    // The machine and the map first, as far as groups of rays go: single rays then cost little.
+    fewer_rays(best_.rays.size() / 16);
+    simpler_machine();
+    smaller_map();
     bool smaller = true;
     while (smaller && !spent()) {
-      smaller = fewer_rays();
+      smaller = fewer_rays(1);
       smaller |= simpler_machine();
       smaller |= smaller_map();
     }
@@ -45,9 +52,42 @@ class Shrinker {
     return change(candidate) && keep(std::move(candidate));
   }
 
-  bool fewer_rays() {
+  /// The last 64, 256, 1024 ... of the rays that can have been inside by then, in the machine's order.
+  void rays_about(uint64_t completed) {
+    const Architecture& a = best_.machine.architecture;
+    std::vector<uint32_t> order(best_.rays.size());
+    std::iota(order.begin(), order.end(), 0u);
+    if (!best_.machine.memory) {
+      std::vector<uint32_t> pixels;
+      for (const TracedRay& ray : best_.rays)
+        pixels.push_back(ray.pixel_y * static_cast<uint32_t>(best_.width) + ray.pixel_x);
+      order = dispatch_order(pixels, best_.width, a.ray_dispatch.order, a.ray_dispatch.tile_size);
+    }
+    const uint64_t inside =
+        static_cast<uint64_t>(a.machine.pipelines) *
+        static_cast<uint64_t>(a.traverse.contexts + a.ray_setup.queue_depth + a.ray_dispatch.queue_depth);
+    const size_t end = std::min<size_t>(order.size(), completed + inside + 1);
+    for (size_t count = 64; count < order.size(); count *= 4) {
+      std::vector<uint32_t> kept(order.begin() + static_cast<std::ptrdiff_t>(end - std::min(end, count)),
+                                 order.begin() + static_cast<std::ptrdiff_t>(end));
+      std::ranges::sort(kept);
+      LockstepCase candidate = without_rays();
+      for (const uint32_t ray : kept) candidate.rays.push_back(best_.rays[ray]);
+      if (keep(std::move(candidate)) || spent()) return;
+    }
+  }
+  LockstepCase without_rays() {
+    std::vector<TracedRay> rays;
+    rays.swap(best_.rays);
+    LockstepCase copy = best_;
+    rays.swap(best_.rays);
+    return copy;
+  }
+
+  /// Groups of half the rays, a quarter ... down to `least`.
+  bool fewer_rays(size_t least) {
     bool smaller = false;
-    for (size_t chunk = (best_.rays.size() + 1) / 2; chunk > 0 && !spent();) {
+    for (size_t chunk = (best_.rays.size() + 1) / 2; chunk >= std::max<size_t>(least, 1) && !spent();) {
       bool kept = false;
       for (size_t first = 0; first < best_.rays.size() && best_.rays.size() > 1 && !spent();) {
         LockstepCase candidate = best_;
@@ -124,8 +164,8 @@ class Shrinker {
 
 }  // namespace
 
-ShrunkCase shrink(const LockstepCase& failing, const CaseFails& fails, int most_runs) {
-  return Shrinker(failing, fails, most_runs).run();
+ShrunkCase shrink(const LockstepCase& failing, const CaseFails& fails, uint64_t completed, int most_runs) {
+  return Shrinker(failing, fails, most_runs).run(completed);
 }
 
 }  // namespace cuesta

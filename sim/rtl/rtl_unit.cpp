@@ -31,6 +31,7 @@ void RtlUnit::advance(Cycle limit) {
 }
 
 void RtlUnit::drain_until(Cycle end) {
+  if (cycle_ < end) ended_ = std::min(ended_, cycle_);
   for (; cycle_ < end; ++cycle_) tick();
 }
 

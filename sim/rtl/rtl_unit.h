@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 #include <span>
@@ -29,7 +30,7 @@ struct RtlJob {
 class RtlUnit : public HmtUnit {
  public:
   void advance(Cycle limit) final;
-  Cycle cycle() const final { return cycle_; }
+  Cycle cycle() const final { return std::min(cycle_, ended_); }
   bool finished() const final;
   bool starved() const final;
   void drain_until(Cycle end) final;
@@ -68,6 +69,7 @@ class RtlUnit : public HmtUnit {
   Cycle cycle_ = 0;
 
  private:
+  Cycle ended_ = kNever;  ///< where it stopped: what `drain_until` ticks is behind its end
   Cycle hits_open_from_ = 0;
   std::vector<uint32_t>* completions_ = nullptr;
   int64_t rays_completed_ = 0;

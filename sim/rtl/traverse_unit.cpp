@@ -39,6 +39,7 @@ class TraverseRtl final : public RtlUnit {
 
   Counts counts(Cycle end) override {
     drain_until(end);
+    l1_.land_before(end);
     Counts counts{setup_.entered(), counts_, l1_.counts_until(end)};
     for (const Resident& ray : resident_) counts.traverse.resident_cycles += end - 1 - ray.entered;
     return counts;

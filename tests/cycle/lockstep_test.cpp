@@ -206,7 +206,7 @@ TEST(Shrink, LeavesNoRayThatTheDifferenceDoesNotNeedAndSimplifiesTheMachine) {
     const LockstepCase failing = random_rtl_case({}, seed, 120);
     if (failing.rays.size() < 30 || !fails(failing)) continue;
     ++shrunk;
-    const ShrunkCase result = shrink(failing, fails);
+    const ShrunkCase result = shrink(failing, fails, run_lockstep(failing, kPlain, right).rays);
     const LockstepCase& smallest = result.smallest;
     EXPECT_TRUE(result.complete);
     EXPECT_TRUE(fails(smallest));
@@ -222,10 +222,30 @@ TEST(Shrink, LeavesNoRayThatTheDifferenceDoesNotNeedAndSimplifiesTheMachine) {
   EXPECT_EQ(shrunk, 3);
 }
 
+TEST(Shrink, OfManyRaysOnlyThoseAboutTheDifferenceAreLookedAt) {
+  // 20 times the same rays; only the last of all makes the difference.
+  LockstepCase many = random_rtl_case({}, 5, 300);
+  const std::vector<TracedRay> once = many.rays;
+  for (int copy = 1; copy < 20; ++copy) many.rays.insert(many.rays.end(), once.begin(), once.end());
+  for (size_t k = 0; k < many.rays.size(); ++k) many.rays[k].id = k;
+  many.machine.memory = MemoryTiming{};  // rays come in the order of the trace
+  const uint64_t last = many.rays.size() - 1;
+  size_t rays_tried = 0;
+  const ShrunkCase result = shrink(
+      many,
+      [&](const LockstepCase& one) {
+        rays_tried += one.rays.size();
+        return std::ranges::any_of(one.rays, [last](const TracedRay& ray) { return ray.id == last; });
+      },
+      last);
+  EXPECT_EQ(result.smallest.rays.size(), 1u);
+  EXPECT_LT(rays_tried, many.rays.size());
+}
+
 TEST(Shrink, StopsAfterSoManyRuns) {
   int runs = 0;
   const ShrunkCase result = shrink(
-      random_rtl_case({}, 3, 200), [&](const LockstepCase&) { return ++runs > 0; }, 5);
+      random_rtl_case({}, 3, 200), [&](const LockstepCase&) { return ++runs > 0; }, 0, 5);
   EXPECT_EQ(runs, 5);
   EXPECT_EQ(result.runs, 5);
   EXPECT_FALSE(result.complete);

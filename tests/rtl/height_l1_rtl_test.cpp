@@ -178,7 +178,7 @@ class Bench {
   std::map<Cycle, int> landings_;    ///< cycle -> MSHR
   std::vector<Memory::Pending> unanswered_;
   size_t compared_requests_ = 0;
-  int64_t fills_ = 0, evictions_ = 0, mshr_cycles_ = 0, replays_ = 0, retries_ = 0;
+  int64_t evictions_ = 0, replays_ = 0, retries_ = 0;
   std::string found_;
 };
 
@@ -256,8 +256,15 @@ std::string Bench<V>::tick() {
       look_up(context, false);
     }
     rtl_->eval();
+  } else {
+    // What is asked for while the pipe stands still does not happen.
+    rtl_->lookup_valid_i = chance(500);
+    rtl_->replay_take_i = model_.replay_waiting() && chance(500);
+    rtl_->lookup_retry_i = model_.retry_possible() && rtl_->lookup_valid_i && chance(500);
+    rtl_->lookup_address_i = static_cast<uint32_t>(random_address());
+    rtl_->lookup_context_i = static_cast<uint8_t>(random_.below(static_cast<uint64_t>(set_.contexts)));
+    rtl_->eval();
   }
-  mshr_cycles_ += rtl_->mshrs_o;
 
   // The request of this cycle, and its answer's time.
   const bool leaves = rtl_->request_valid_o && rtl_->request_ready_i;

@@ -1,0 +1,257 @@
+#include <fmt/core.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "models/common/words.h"
+#include "reports/result_folder.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/result_output.h"
+#include "sim/cli/run_options.h"
+#include "sim/cli/verbs.h"
+#include "sim/lockstep/case_files.h"
+#include "sim/lockstep/lockstep.h"
+#include "sim/lockstep/rtl_sides.h"
+#include "sim/lockstep/shrink.h"
+
+namespace cuesta {
+namespace {
+
+constexpr int kMostRays = 400;  ///< of a random machine
+
+/// The model and the Verilated hardware side by side: on random machines over all compiled sets, or on a user's own
+/// rays and machine.
+class VerifyRtlCommand : public Command {
+ public:
+  void declare(CLI::App& app) override {
+    app.add_option("scene", scene_,
+                   "Scene file or name: its rays on the machine of --arch. Without one (and without "
+                   "--heightmap): random machines with random rays");
+    app.add_option("--unit", unit_,
+                   "What is hardware: hmt_top (ray_setup, traverse and height_l1) or traverse")
+        ->capture_default_str();
+    seconds_option_ = app.add_option("--seconds", seconds_, "Random machines: so long")
+                          ->check(CLI::Range(int64_t{1}, int64_t{1000000}))
+                          ->capture_default_str();
+    count_option_ = app.add_option("--ray-count", ray_count_,
+                                   "Random machines: until so many rays, in the place of --seconds")
+                        ->check(CLI::Range(int64_t{1}, int64_t{1000000000000}));
+    seed_option_ =
+        app.add_option("--seed", seed_, "Random machines: seed of the first; the next has the next")
+            ->capture_default_str();
+    sets_option_ =
+        app.add_option("--sets", sets_,
+                       "Random machines: only of these compiled sets, joined by commas; default: all")
+            ->allow_extra_args(false);
+    app.add_option("--workers", workers_,
+                   "Random machines that run at a time; what is found does not depend on it")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    app.add_option("--rays", options_.rays_file,
+                   "With a scene: rays from a .rays or .csv file in the place of its camera");
+    app.add_option("--heightmap", options_.heightmap, "Heights from an image, as `cuesta run` takes them");
+    app.add_option("--algorithm", algorithm_,
+                   "With a scene: one out of `cuesta list algorithms`, or a schedule")
+        ->capture_default_str();
+    app.add_option("--arch", architecture_, "With a scene: preset or architecture file")
+        ->capture_default_str();
+    app.add_option("--set", options_.settings,
+                   "With a scene: one value of the architecture: height_l1.ways=4; may be repeated")
+        ->allow_extra_args(false);
+    app.add_option("--size", options_.size, "With a scene: pixels: 256 or 640x480");
+    app.add_option("--crop", options_.crop, "With a scene: only the pixels x,y,width,height of the frame");
+    app.add_option("--stalls", stalls_,
+                   "With a scene: SEED:p,p,p,p,p,p,p,p, chances of a stall per mille at the ports trace, "
+                   "dispatch, setup, memory request, memory response, hit stream, result, write");
+    app.add_option("--memory", memory_,
+                   "With a scene: SEED:LEAST,MOST,GAP: rays come up to GAP cycles apart, memory answers "
+                   "after LEAST to MOST cycles, in any order");
+    app.add_option("--register-seed", register_seed_,
+                   "With a scene: what registers without a reset begin with; 0: zeros")
+        ->check(CLI::Range(0, 1 << 30));
+    app.add_option("-o,--output", options_.folder,
+                   "Folder for the smallest failing case; default: the next free results/verify-rtl-NNN");
+    app.add_flag("--force,--overwrite", options_.force, "Replace an older result folder of that name");
+  }
+
+  ExitCode run(const Session& session) override {
+    sides_ = rtl_sides(parse_hardware_unit(unit_));
+    const bool own = !scene_.empty() || !options_.heightmap.empty() || !options_.rays_file.empty();
+    refuse_unused(own);
+    return own ? compare_own(session) : compare_random(session);
+  }
+
+ private:
+  struct Totals {
+    uint64_t rays = 0, cycles = 0, requests = 0, machines = 0;
+
+    void add(const LockstepResult& result) {
+      rays += result.rays;
+      cycles += static_cast<uint64_t>(result.cycles);
+      requests += result.requests;
+      ++machines;
+    }
+  };
+
+  /// An option that this run does not use is an error.
+  void refuse_unused(bool own) const {
+    const std::pair<const char*, bool> of_random[] = {{"--seconds", seconds_option_->count() > 0},
+                                                      {"--ray-count", count_option_->count() > 0},
+                                                      {"--seed", seed_option_->count() > 0},
+                                                      {"--sets", sets_option_->count() > 0}};
+    const std::pair<const char*, bool> of_own[] = {{"--set", !options_.settings.empty()},
+                                                   {"--size", !options_.size.empty()},
+                                                   {"--crop", !options_.crop.empty()},
+                                                   {"--stalls", !stalls_.empty()},
+                                                   {"--memory", !memory_.empty()}};
+    for (const auto& [option, given] : of_random) {
+      if (own && given)
+        throw usage_error(std::string(option) +
+                          " is about random machines, and a scene is given; accepted is one of the two.");
+    }
+    for (const auto& [option, given] : of_own) {
+      if (!own && given)
+        throw usage_error(
+            std::string(option) +
+            " is about a scene's rays, and no scene is given; accepted is a scene's name or file before it.");
+    }
+  }
+
+  ExitCode compare_own(const Session& session) {
+    const auto algorithms = parse_algorithms({algorithm_});
+    const auto machines = parse_architectures({architecture_}, options_.settings, Fidelity::kCycle);
+    if (algorithms.size() != 1 || machines.size() != 1)
+      throw usage_error("`cuesta verify rtl` takes one algorithm and one architecture.");
+    LockstepCase one;
+    one.machine.architecture = machines[0].architecture;
+    if (!stalls_.empty()) one.machine.stalls = parse_stalls(stalls_, "--stalls");
+    one.machine.register_seed = register_seed_;
+    if (!memory_.empty()) one.machine.memory = parse_memory_timing(memory_, "--memory");
+    Job job = prepare_job(scene_or_default(scene_, options_), scene_changes(options_),
+                          watched(session, "making rays", 0));
+    one.machine.schedule = algorithm_on(algorithms[0], machines[0].architecture.traverse).schedule;
+    if (one.machine.schedule.stop_level > job.map.root_level) {
+      throw usage_error(fmt::format(
+          "Algorithm {} stops at level {}, above the root of the map; accepted are levels 0 to {}.",
+          algorithms[0].id, one.machine.schedule.stop_level, job.map.root_level));
+    }
+    one.address_mode = job.map.address_mode;
+    one.width = job.trace.width;
+    one.height = job.trace.height;
+    one.rays = std::move(job.trace.rays);
+    one.pyramid = std::make_shared<Pyramid>(std::move(job.pyramid));
+
+    Totals totals;
+    LockstepResult result;
+    {
+      ProgressBar bar(session, "verify rtl", "rays", one.rays.size());
+      result = run_lockstep(one, sides_[0], sides_[1], LockstepDepth::kFirstCycle,
+                            [&](uint64_t rays) { return bar.update(rays); });
+    }
+    totals.add(result);
+    if (!result.equal()) fail(session, one, result, totals);
+    return finish(totals, result.stopped);
+  }
+
+  ExitCode compare_random(const Session& session) {
+    const std::vector<rtl::RtlSet> sets = compiled_sets(split_at_commas(sets_));
+    const HardwareUnit unit = parse_hardware_unit(unit_);
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::seconds(seconds_);
+    const bool by_rays = count_option_->count() > 0;
+    ProgressBar bar(session, "verify rtl", "rays", by_rays ? ray_count_ : 0);
+    Totals totals;
+    bool stopped = false;
+    auto wanted = [&] { return by_rays ? totals.rays < ray_count_ : Clock::now() < end; };
+    for (uint64_t number = 0; !stopped && wanted();) {
+      // A batch of machines at a time, compared in their order.
+      std::vector<std::pair<LockstepCase, std::future<LockstepResult>>> running;
+      for (int k = 0; k < workers_; ++k, ++number) {
+        const rtl::RtlParameters& parameters = sets[number % sets.size()].parameters;
+        running.emplace_back(random_rtl_case(structure_of(parameters, unit), seed_ + number, kMostRays),
+                             std::future<LockstepResult>());
+      }
+      for (auto& [one, result] : running) {
+        result = std::async(workers_ > 1 ? std::launch::async : std::launch::deferred,
+                            [&one = one, this] { return run_lockstep(one, sides_[0], sides_[1]); });
+      }
+      for (auto& [one, future] : running) {
+        const LockstepResult result = future.get();
+        totals.add(result);
+        if (!result.equal()) fail(session, one, result, totals);
+      }
+      stopped = !bar.update(totals.rays);
+    }
+    sets_compared_ = sets.size();
+    return finish(totals, stopped);
+  }
+
+  ExitCode finish(const Totals& totals, bool stopped) const {
+    if (sets_compared_ > 0)
+      fmt::print("{} machines over {} compiled sets; ", totals.machines, sets_compared_);
+    fmt::print("verify rtl: {} rays, {} cycles, {} memory requests, 0 differences{}\n", totals.rays,
+               totals.cycles, totals.requests, stopped ? "; stopped before the end" : "");
+    return stopped ? ExitCode::kIncomplete : ExitCode::kOk;
+  }
+
+  /// Prints the difference, makes the case smaller and leaves it as files.
+  [[noreturn]] void fail(const Session& session, const LockstepCase& one, const LockstepResult& result,
+                         const Totals& totals) {
+    const std::string names[2] = {sides_[0].name, sides_[1].name};
+    std::string text = describe(one) + report(result.differences, names);
+    fmt::print("{}", text);
+    if (!session.quiet)
+      fmt::print(stderr, "verify rtl: looking for the smallest workload that differs ...\n");
+    const ShrunkCase shrunk = shrink(
+        one,
+        [&](const LockstepCase& candidate) {
+          return !stop_requested() &&
+                 !run_lockstep(candidate, sides_[0], sides_[1], LockstepDepth::kWhether).equal();
+        },
+        result.rays);
+    const LockstepResult smallest = run_lockstep(shrunk.smallest, sides_[0], sides_[1]);
+    ResultFolder folder = open_result_folder(options_, "verify-rtl");
+    const std::string arguments =
+        write_case(shrunk.smallest, folder.file("scene.toml").parent_path(), folder.final_path());
+    const std::string small = "\nthe smallest workload that differs, after " + std::to_string(shrunk.runs) +
+                              " tries:\n" + describe(shrunk.smallest) + report(smallest.differences, names) +
+                              "again: cuesta verify rtl " + arguments +
+                              (unit_ == "hmt_top" ? "" : " --unit " + unit_) + "\n";
+    fmt::print("{}", small);
+    leave_waves(shrunk.smallest, sides_[1], smallest.differences.at(0),
+                folder.file("first_difference.fst").string());
+    folder.write("difference.txt", text + small);
+    folder.commit();
+    fmt::print("files, and waves around the difference: {}\n", folder.final_path().string());
+    throw Error(
+        ExitCode::kMismatch,
+        fmt::format(
+            "verify rtl: {} rays, {} cycles, 1 difference: cycle {}, {}.{}, seed {}; it is decoded above.",
+            totals.rays, totals.cycles, result.differences[0].cycle, result.differences[0].unit,
+            result.differences[0].field, one.seed));
+  }
+
+  std::string scene_, unit_ = "hmt_top", algorithm_ = "yun2013", architecture_ = "mobile", stalls_, memory_;
+  std::vector<std::string> sets_;
+  RunOptions options_;
+  int64_t seconds_ = 20;
+  uint64_t ray_count_ = 0;
+  uint64_t seed_ = 1;
+  int workers_ = 1;
+  int register_seed_ = 0;
+  CLI::Option *seconds_option_ = nullptr, *count_option_ = nullptr, *seed_option_ = nullptr,
+              *sets_option_ = nullptr;
+  std::array<LockstepSide, 2> sides_;
+  size_t sets_compared_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_verify_rtl_command() { return make_command<VerifyRtlCommand>(); }
+
+}  // namespace cuesta

@@ -1,0 +1,64 @@
+#include "tests/sim/cli_fixture.h"
+
+namespace cuesta {
+namespace {
+
+class VerifyRtl : public CommandLine {
+ protected:
+  static void expect_equal(const ProgramResult& result) {
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find(" 0 differences\n"), std::string::npos) << result.out;
+  }
+};
+
+TEST_F(VerifyRtl, RandomMachinesDoNotDifferAndTheLastLineCountsThem) {
+  const ProgramResult result = cuesta({"verify", "rtl", "--ray-count", "500", "--sets", "tiny,mobile", "-q"});
+  expect_equal(result);
+  EXPECT_NE(result.out.find("machines over 2 compiled sets"), std::string::npos) << result.out;
+  EXPECT_FALSE(std::filesystem::exists(path("results")));
+  expect_equal(cuesta({"verify", "rtl", "--unit", "traverse", "--ray-count", "300", "--seed", "9", "-q"}));
+}
+
+TEST_F(VerifyRtl, TheNumberOfWorkersChangesNothingButTheTime) {
+  auto last_line = [&](const char* workers) {
+    return cuesta({"verify", "rtl", "--ray-count", "2000", "--sets", "tiny", "--workers", workers, "-q"}).out;
+  };
+  const std::string one = last_line("1"), three = last_line("3");
+  EXPECT_NE(one.find(" 0 differences\n"), std::string::npos) << one;
+  EXPECT_NE(three.find(" 0 differences\n"), std::string::npos) << three;
+}
+
+TEST_F(VerifyRtl, AUsersOwnSceneRaysStallsAndMemoryDoNotDiffer) {
+  expect_equal(cuesta({"verify", "rtl", "default", "--size", "24", "-q"}));
+  ASSERT_EQ(cuesta({"trace", "grazing", "--size", "20", "-o", "own.rays", "-q"}).code, 0);
+  const ProgramResult result =
+      cuesta({"verify", "rtl", "grazing", "--rays", "own.rays", "--algorithm", "dda", "--stalls",
+              "5:300,0,0,400,200,100,0,0", "--memory", "6:30,90,4", "--register-seed", "3", "-q"});
+  expect_equal(result);
+  EXPECT_NE(result.out.find("verify rtl: 400 rays, "), std::string::npos) << result.out;
+}
+
+TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
+  const struct {
+    Words words;
+    const char* part;
+  } cases[] = {
+      {{"--sets", "tniy"}, "There is no compiled set `tniy`"},
+      {{"--unit", "traverze"}, "did you mean `traverse`?"},
+      {{"--stalls", "1:0,0,0,0,0,0,0,0"}, "no scene is given"},
+      {{"default", "--seconds", "3"}, "a scene is given"},
+      {{"default", "--stalls", "1:0"}, "--stalls 1:0: accepted is SEED:"},
+      {{"default", "--memory", "1:9,8,0"}, "--memory 1:9,8,0: accepted is SEED:"},
+      {{"default", "--size", "8", "--set", "traverse.contexts=48"}, "traverse.contexts is 48"},
+      {{"default", "--size", "8", "--set", "traverse.arithmetic=float"}, "accepted is fixed"},
+      {{"--rays", "own.rays"}, "No scene is given"},
+  };
+  for (const auto& [words, part] : cases) {
+    Words all = {"verify", "rtl", "-q"};
+    all.insert(all.end(), words.begin(), words.end());
+    expect_refusal(cuesta(all), 2, part, words[0] + " " + words[1]);
+  }
+}
+
+}  // namespace
+}  // namespace cuesta
