@@ -30,7 +30,10 @@ TEST_F(VerifyRtl, TheNumberOfWorkersChangesNothingButTheTime) {
 
 TEST_F(VerifyRtl, AUsersOwnSceneRaysStallsAndMemoryDoNotDiffer) {
   expect_equal(cuesta({"verify", "rtl", "default", "--size", "24", "-q"}));
-  ASSERT_EQ(cuesta({"trace", "grazing", "--size", "20", "-o", "own.rays", "-q"}).code, 0);
+  ASSERT_EQ(
+      cuesta({"rays", "make", "lattice", "-o", "own.rays", "--count", "400", "--map-of", "grazing", "-q"})
+          .code,
+      0);
   const ProgramResult result =
       cuesta({"verify", "rtl", "grazing", "--rays", "own.rays", "--algorithm", "dda", "--stalls",
               "5:300,0,0,400,200,100,0,0", "--memory", "6:30,90,4", "--register-seed", "3", "-q"});
