@@ -23,11 +23,8 @@ struct PortLog {
     Cycle cycle;
     int32_t mshr;
     uint64_t address;  ///< bytes, of the line
-    uint32_t owner;    ///< the ray whose miss it is; kNobody where the unit does not tell
-    /// The owner is a remark, not part of what passes the port.
-    bool operator==(const Request& other) const {
-      return cycle == other.cycle && mshr == other.mshr && address == other.address;
-    }
+    uint32_t owner;    ///< the ray whose miss it is
+    bool operator==(const Request&) const = default;
   };
   /// A record passes the hit stream.
   struct Hit {
@@ -36,7 +33,6 @@ struct PortLog {
     HitRecord record;
     bool operator==(const Hit&) const = default;
   };
-  static constexpr uint32_t kNobody = ~0u;
 
   std::vector<Entry> entries;
   std::vector<Request> requests;

@@ -98,7 +98,7 @@ void Comparison::add(const std::string& path, Cycle cycle, const std::string& le
   Difference difference = difference_of(path, cycle);
   difference.values[0] = left;
   difference.values[1] = right;
-  if (ray != PortLog::kNobody) difference.ray = ray_text(ray);
+  if (ray != kNoRay) difference.ray = ray_text(ray);
   differences_.push_back(std::move(difference));
 }
 
@@ -130,9 +130,7 @@ void Comparison::compare_requests(size_t p, Cycle end) {
     const Cycle cycle = first_cycle(left, right, place);
     const PortLog::Request *a = entry(left, place, cycle), *b = entry(right, place, cycle);
     const std::string path = unit("height_l1", p) + "request";
-    const uint32_t owner = a != nullptr && a->owner != PortLog::kNobody ? a->owner
-                           : b != nullptr                               ? b->owner
-                                                                        : PortLog::kNobody;
+    const uint32_t owner = a != nullptr ? a->owner : b->owner;
     if (a == nullptr || b == nullptr) {
       add(path, cycle, a == nullptr ? std::string(kNone) : request_text(*a),
           b == nullptr ? std::string(kNone) : request_text(*b), owner);
@@ -140,6 +138,7 @@ void Comparison::compare_requests(size_t p, Cycle end) {
       if (a->mshr != b->mshr) add(path + ".mshr", cycle, decoded(a->mshr), decoded(b->mshr), owner);
       if (a->address != b->address)
         add(path + ".address", cycle, address_text(a->address), address_text(b->address), owner);
+      if (a->owner != b->owner) add(path + ".owner", cycle, decoded(a->owner), decoded(b->owner), owner);
     }
   }
   forget(left, right, place);

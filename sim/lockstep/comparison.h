@@ -26,6 +26,8 @@ class Comparison {
   uint64_t requests() const { return requests_; }
 
  private:
+  static constexpr uint32_t kNoRay = ~0u;
+
   /// Up to where the logs of a pipeline's ports were compared.
   struct Place {
     size_t entries = 0, requests = 0, hits = 0;
@@ -39,7 +41,7 @@ class Comparison {
   void compare_timing(Cycle end);
   void compare(const std::string& path, Cycle cycle, int64_t left, int64_t right);
   void add(const std::string& path, Cycle cycle, const std::string& left, const std::string& right,
-           uint32_t ray = PortLog::kNobody);
+           uint32_t ray = kNoRay);
   std::vector<Difference> found();
 
   std::string ray_text(uint32_t ray) const;

@@ -60,7 +60,12 @@ class VerilatedUnit : public Port {
 #endif
     rtl_ = std::make_unique<V>(&context_, name);
   }
-  ~VerilatedUnit() override { VerilatedUnit::close_waves(); }
+  ~VerilatedUnit() override {
+    VerilatedUnit::close_waves();
+    // A scope is erased from the thread's context, which may be that of a unit long gone.
+    Verilated::threadContextp(&context_);
+    rtl_.reset();
+  }
   VerilatedUnit(const VerilatedUnit&) = delete;
   VerilatedUnit& operator=(const VerilatedUnit&) = delete;
 

@@ -1,145 +1,84 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <iostream>
-#include <string>
 
-#include "models/common/random.h"
-#include "models/oracle/random_cases.h"
-#include "sim/cycle_machine.h"
-#include "sim/rtl/rtl_set.h"
-#include "tests/twins/random_machine.h"
+#include "sim/lockstep/lockstep.h"
+#include "sim/lockstep/rtl_sides.h"
+#include "tests/support/temporary_folder.h"
 
-// The machine with Verilated hardware in the place of its units against the machine as it is: every hit, every ray's
-// completion cycle, every counter and plane, under random stalls on every port.
+// The Verilated hardware in the machine's place of its units against the model: every ray's entry, memory request and
+// hit record with their cycles, every counter and fill, what each ray took; random machines over the compiled sets,
+// random stalls on every outer port, and in half of them a memory outside with random latencies in any order.
 
-namespace cuesta::rtl {
+namespace cuesta {
 namespace {
 
-using twins::RandomMachine;
-
-/// A random machine that the set can be.
-RandomMachine machine_for(const RtlParameters& set, uint64_t seed) {
-  RandomMachine machine = twins::random_machine(seed, 1);
-  Random random(seed * 77 + 5);
-  Architecture& a = machine.architecture;
-  a.machine.pipelines = static_cast<int>(random.between(1, 2));
-  a.ray_setup = {set.setup_latency, set.setup_interval, set.setup_queue};
-  a.traverse.arithmetic = Arithmetic::kFixed;
-  a.traverse.stages = set.stages;
-  a.traverse.contexts = set.contexts;
-  a.traverse.fraction_bits = set.fraction_bits;
-  a.traverse.direction_bits = set.direction_bits;
-  a.traverse.mantissa_bits = set.mantissa_bits;
-  a.traverse.tile_bits = set.tile_bits;
-  a.height_l1 = {set.size_bytes, set.line_bytes, set.ways, set.mshrs};
-  a.texels.layout = random.chance(0.5) ? TexelLayoutKind::kRowMajor : TexelLayoutKind::kMorton;
-  machine.stalls.per_mille[static_cast<int>(Port::kSetup)] = 0;  // inside hmt_top
-
-  RandomMap map;
-  map.kind = "square";
-  const int n = static_cast<int>(random.below(static_cast<uint64_t>(std::min(set.max_level, 9)) + 1));
-  const int side = 1 << n;
-  map.shape = {side, side, n, static_cast<int>(random.between(set.height_bits > 8 ? 9 : 1, set.height_bits)),
-               random.chance(0.5) ? AddressMode::kWrap : AddressMode::kBorder};
-  map.format = number_format(a.traverse, map.shape);
-  map.grid.width = map.grid.height = side;
-  map.grid.bits = map.shape.bits;
-  const bool rough = random.chance(0.4);
-  int64_t height = random.between(0, map.shape.full_scale());
-  for (int k = 0; k < side * side; ++k) {
-    height = rough ? random.between(0, map.shape.full_scale())
-                   : std::clamp<int64_t>(height + random.between(-3, 3), 0, map.shape.full_scale());
-    map.grid.texels.push_back(static_cast<uint16_t>(height));
-  }
-  machine.map = map.shape;
-  machine.schedule.start = static_cast<StartRule>(random.below(3));
-  machine.schedule.down = static_cast<int>(random.between(1, 3));
-  machine.schedule.up = static_cast<UpRule>(random.below(8));
-  machine.schedule.stop_level = random.chance(0.7) ? 0 : static_cast<int>(random.between(0, n));
-  machine.schedule.fetch = FetchRule::kTexel;
-  machine.pyramid = build_stopped_pyramid(build_max_pyramid(map.grid), machine.schedule.stop_level);
-  machine.width = machine.height = 20;
-  machine.rays.clear();
-  machine.pixels.clear();
-  const auto count = static_cast<size_t>(random.between(1, 400));
-  TracedRay first;
-  const bool bundled = random.chance(0.5);
-  for (uint64_t k = 0; machine.rays.size() < count; ++k) {
-    TracedRay ray = random_ray(random, map, k);
-    if (k % 64 == 0) first = ray;
-    if (bundled && k % 64 != 0) {
-      ray = first;
-      ray.id = k;
-      if (ray.fixed_axis == FixedAxis::kNone) {
-        ray.origin[0] += static_cast<double>(k % 8) * 0x1p-8;
-        ray.origin[1] += static_cast<double>(k / 8 % 8) * 0x1p-8;
-      }
-    }
-    try {
-      machine.rays.push_back(quantise(ray, map.shape, map.format));
-    } catch (const std::exception&) {
-      first = random_ray(random, map, k);
-      continue;
-    }
-    machine.pixels.push_back(static_cast<uint32_t>(machine.rays.size() - 1));
-  }
-  return machine;
+/// Several times CUESTA_RTL_RAYS where that is set.
+uint64_t rays_wanted(uint64_t rays) {
+  const char* told = std::getenv("CUESTA_RTL_RAYS");
+  return told == nullptr ? rays : std::stoull(told);
 }
 
-std::string difference(RandomMachine machine, Implementation UnitParameters::*unit) {
-  CycleDetail detail[2];
-  Outcome outcome[2];
-  CycleHooks hooks;
-  hooks.stalls = machine.stalled ? &machine.stalls : nullptr;
-  hooks.register_seed = static_cast<int>(machine.seed);
-  for (const Implementation made : {Implementation::kModel, Implementation::kRtl}) {
-    machine.architecture.units.*unit = made;
-    const auto k = static_cast<size_t>(made);
-    outcome[k] = run_cycle_detailed(machine.work(), machine.architecture, {}, hooks, &detail[k]);
-  }
-  for (size_t k = 0; k < machine.rays.size(); ++k) {
-    if (outcome[0].hits[k] == outcome[1].hits[k] &&
-        detail[0].timing[k].completed == detail[1].timing[k].completed) {
-      continue;
+/// Every set in turn, with machines that follow from `first_seed` and the set.
+void compare_all(HardwareUnit unit, uint64_t rays_per_set, uint64_t first_seed) {
+  const auto sides = rtl_sides(unit);
+  for (const rtl::RtlSet& set : compiled_sets({})) {
+    uint64_t rays = 0, requests = 0, machines = 0, cycles = 0, outside = 0;
+    for (uint64_t seed = first_seed; rays < rays_wanted(rays_per_set); ++seed, ++machines) {
+      const LockstepCase one = random_rtl_case(structure_of(set.parameters, unit), seed);
+      const LockstepResult result = run_lockstep(one, sides[0], sides[1]);
+      ASSERT_TRUE(result.equal()) << "set " << set.name << "\n"
+                                  << report(result.differences, {"model", "RTL"}) << describe(one);
+      EXPECT_EQ(result.rays, one.rays.size());
+      rays += result.rays;
+      requests += result.requests;
+      cycles += static_cast<uint64_t>(result.cycles);
+      outside += one.machine.memory.has_value();
     }
-    auto text = [&](size_t which) {
-      const HitRecord& h = outcome[which].hits[k];
-      return "status " + std::to_string(static_cast<int>(h.status)) + ", face " +
-             std::to_string(static_cast<int>(h.face)) + ", level " + std::to_string(h.stop_level) + ", i " +
-             std::to_string(h.i) + ", j " + std::to_string(h.j) + ", t " + std::to_string(h.t) + ", steps " +
-             std::to_string(h.steps) + ", completed in " + std::to_string(detail[which].timing[k].completed);
-    };
-    return "ray " + std::to_string(k) + " (" + describe(machine.rays[k]) + ")\n  model " + text(0) +
-           "\n  RTL   " + text(1) + "\n" + twins::describe(machine);
-  }
-  const auto& counters = outcome[0].measurements.counters.all();
-  for (const auto& [path, want] : counters) {
-    const int64_t got = outcome[1].measurements.counters.get(path);
-    if (want != got) {
-      return path + ": model " + std::to_string(want) + ", RTL " + std::to_string(got) + "\n" +
-             twins::describe(machine);
-    }
-  }
-  return outcome[0].digest == outcome[1].digest ? "" : "the digests differ\n" + twins::describe(machine);
-}
-
-void compare(Implementation UnitParameters::*unit, int64_t rays) {
-  if (const char* told = std::getenv("CUESTA_RTL_RAYS")) rays = std::stoll(told);
-  for (const RtlSet& set : rtl_sets()) {
-    int64_t compared = 0, machines = 0;
-    for (uint64_t seed = 1; compared < rays; ++seed, ++machines) {
-      const RandomMachine machine = machine_for(set.parameters, seed);
-      const std::string found = difference(machine, unit);
-      if (!found.empty()) FAIL() << set.name << ": " << found;
-      compared += static_cast<int64_t>(machine.rays.size());
-    }
-    std::cout << set.name << ": " << compared << " rays on " << machines << " machines, no difference\n";
+    std::cout << set.name << ": " << rays << " rays, " << cycles << " cycles, " << requests << " requests on "
+              << machines << " machines, " << outside << " of them with memory outside: no difference\n";
   }
 }
 
-TEST(HmtTopRtl, EqualsTheModelUnderRandomStalls) { compare(&UnitParameters::hmt_top, 20'000); }
-TEST(TraverseRtl, EqualsTheModelUnderRandomStalls) { compare(&UnitParameters::traverse, 10'000); }
+TEST(HmtTopRtl, EqualsTheModelAtEveryPortInEveryCycleUnderRandomStalls) {
+  compare_all(HardwareUnit::kHmtTop, 8'000, 1);
+}
+
+TEST(TraverseRtl, EqualsTheModelAtEveryPortInEveryCycleUnderRandomStalls) {
+  compare_all(HardwareUnit::kTraverse, 4'000, 100'001);
+}
+
+TEST(LockstepRtl, AFaultInTheModelIsFoundAndLeavesWavesAroundIt) {
+  // The model's cache has half the MSHRs that the hardware has.
+  const rtl::RtlSet set = compiled_sets({}).front();
+  auto sides = rtl_sides(HardwareUnit::kHmtTop);
+  sides[0].change = [](LockstepMachine& m) {
+    m.architecture.units = {};
+    m.architecture.height_l1.mshrs /= 2;
+  };
+  LockstepResult result;
+  LockstepCase one;
+  for (uint64_t seed = 1; seed < 50 && result.equal(); ++seed) {
+    one = random_rtl_case(structure_of(set.parameters, HardwareUnit::kHmtTop), seed);
+    result = run_lockstep(one, sides[0], sides[1]);
+  }
+  ASSERT_FALSE(result.equal());
+  // What the model refuses the hardware sends for.
+  auto has = [&](const char* field) {
+    return std::ranges::any_of(result.differences, [&](const Difference& d) { return d.field == field; });
+  };
+  EXPECT_TRUE(has("slots_refused"));
+  EXPECT_TRUE(has("misses"));
+  const TemporaryFolder folder;
+  const std::string file = folder.path("waves.fst");
+  EXPECT_FALSE(leave_waves(one, sides[0], result.differences.front(), file));
+  ASSERT_TRUE(leave_waves(one, sides[1], result.differences.front(), file));
+  EXPECT_GT(std::filesystem::file_size(file), 1000u);
+  EXPECT_LT(std::filesystem::file_size(file), 5'000'000u);
+}
 
 }  // namespace
-}  // namespace cuesta::rtl
+}  // namespace cuesta
