@@ -193,7 +193,8 @@ class VerifyRtlCommand : public Command {
 
   ExitCode finish(const Totals& totals, bool stopped) const {
     if (sets_compared_ > 0)
-      fmt::print("{} machines over {} compiled sets; ", totals.machines, sets_compared_);
+      fmt::print("{} machines over {} compiled set{}; ", totals.machines, sets_compared_,
+                 sets_compared_ == 1 ? "" : "s");
     fmt::print("verify rtl: {} rays, {} cycles, {} memory requests, 0 differences{}\n", totals.rays,
                totals.cycles, totals.requests, stopped ? "; stopped before the end" : "");
     return stopped ? ExitCode::kIncomplete : ExitCode::kOk;

@@ -58,7 +58,8 @@ std::string report(const std::vector<Difference>& differences, const std::string
   std::string text =
       fmt::format("first difference: cycle {}, {}, {}\n  {:<8}{}\n  {:<8}{}\n", first.cycle, first.unit,
                   first.field, names[0], first.values[0], names[1], first.values[1]);
-  if (!first.ray.empty()) text += "  ray     " + first.ray + "\n";
+  const auto with_ray = std::ranges::find_if(differences, [](const Difference& d) { return !d.ray.empty(); });
+  if (with_ray != differences.end()) text += "  ray     " + with_ray->ray + "\n";
   const size_t shown = std::min(differences.size(), most);
   if (shown > 1) text += "in the same cycle:\n";
   for (size_t k = 1; k < shown; ++k) text += "  " + line(differences[k], names) + "\n";
