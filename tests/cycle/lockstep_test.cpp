@@ -152,7 +152,7 @@ TEST(Lockstep, EveryParameterOfTheHardwareIsSeen) {
       RtlStructure structure;
       structure.architecture.height_l1 = {1024, 32, 4, 4};
       const LockstepCase one = random_rtl_case(structure, seed, 300);
-      const LockstepSide right{"right", [change](LockstepMachine& m) { change(m.architecture); }};
+      const LockstepSide right{"right", [turn = change](LockstepMachine& m) { turn(m.architecture); }};
       seen = !run_lockstep(one, kPlain, right, LockstepDepth::kWhether).equal();
     }
     EXPECT_TRUE(seen) << name;
