@@ -57,5 +57,5 @@ function(cuesta_rtl_set NAME)
   configure_file("${PROJECT_SOURCE_DIR}/sim/rtl/set.cpp.in" "set_${NAME}.cpp" @ONLY)
   cuesta_library(cuesta_rtl_${NAME} SOURCES "${CMAKE_CURRENT_BINARY_DIR}/set_${NAME}.cpp"
       DEPENDS cuesta_traversal PRIVATE_DEPENDS hmt_top_${NAME} traverse_${NAME})
-  target_compile_definitions(cuesta_rtl_${NAME} PRIVATE CUESTA_RTL_WAVES)
+  target_compile_definitions(cuesta_rtl_${NAME} PRIVATE CUESTA_RTL_WAVES $<$<BOOL:${CUESTA_RTL_COVERAGE}>:CUESTA_RTL_COVERAGE>)
 endfunction()

@@ -10,6 +10,8 @@ set(CUESTA_RTL_ASSERTIONS
     hmt_top_assertions.sv traversal/ray_setup_assertions.sv traversal/traverse_assertions.sv
     memory/height_l1_assertions.sv assertions.sv)
 
+option(CUESTA_RTL_COVERAGE "Count the lines that Verilated hardware runs through: tests/rtl/coverage" OFF)
+
 # Verilator's own code, once for all hardware: verilate() would compile it again for each.
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
@@ -18,6 +20,9 @@ if(NOT TARGET verilator_runtime)
   add_library(verilator_runtime STATIC "${verilator_include}/verilated.cpp" "${verilator_include}/verilated_fst_c.cpp"
       "${verilator_include}/verilated_threads.cpp")
   target_include_directories(verilator_runtime SYSTEM PUBLIC "${verilator_include}" "${verilator_include}/vltstd")
+  if(CUESTA_RTL_COVERAGE)
+    target_sources(verilator_runtime PRIVATE "${verilator_include}/verilated_cov.cpp")
+  endif()
   target_compile_options(verilator_runtime PRIVATE -O3 -w)
   target_link_libraries(verilator_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 endif()
@@ -41,6 +46,11 @@ function(cuesta_verilated name)
       list(APPEND ARG_SOURCES ${CUESTA_RTL_ASSERTIONS})
     endif()
   endif()
+  set(coverage)
+  if(CUESTA_RTL_COVERAGE)
+    # Split or reordered blocks count by the values that local variables had before: Verilator 5.006.
+    set(coverage --coverage-line -fno-reorder)
+  endif()
   set(sources)
   foreach(source IN LISTS ARG_SOURCES)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY "${PROJECT_SOURCE_DIR}/rtl")
@@ -56,7 +66,7 @@ function(cuesta_verilated name)
       TOP_MODULE ${ARG_TOP} PREFIX ${ARG_PREFIX} ${waves}
       INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
       # A process in pieces reads registers that another piece has written: -fno-split saves their copies.
-      VERILATOR_ARGS -Wall ${assert} --x-assign unique --x-initial unique -fno-split ${ARG_PARAMETERS}
+      VERILATOR_ARGS -Wall ${assert} ${coverage} --x-assign unique --x-initial unique -fno-split ${ARG_PARAMETERS}
       OPT_FAST ${CUESTA_RTL_OPTIMISE} -fno-tree-vectorize OPT_GLOBAL ${CUESTA_RTL_OPTIMISE})
   get_target_property(with_runtime ${name} SOURCES)
   list(FILTER with_runtime EXCLUDE REGEX "^/usr/share/verilator/include/")

@@ -14,6 +14,11 @@
 #ifdef CUESTA_RTL_WAVES
 #include <verilated_fst_c.h>
 #endif
+#ifdef CUESTA_RTL_COVERAGE
+#include <verilated_cov.h>
+
+#include <cstdlib>
+#endif
 
 namespace cuesta::rtl {
 
@@ -62,6 +67,13 @@ class VerilatedUnit : public Port {
   }
   ~VerilatedUnit() override {
     VerilatedUnit::close_waves();
+#ifdef CUESTA_RTL_COVERAGE
+    static int number = 0;
+    if (const char* folder = std::getenv("CUESTA_RTL_COVERAGE_FOLDER")) {
+      const std::string file = std::string(folder) + "/" + rtl_->modelName() + "_" + std::to_string(number++);
+      context_.coveragep()->write((file + ".dat").c_str());
+    }
+#endif
     // A scope is erased from the thread's context, which may be that of a unit long gone.
     Verilated::threadContextp(&context_);
     rtl_.reset();
