@@ -88,6 +88,13 @@ module ray_setup #(
   // ---- Time: who may enter, who may be taken
   logic [PointerBits:0] fill_q;  // entered, not taken
   logic [IntervalBits-1:0] wait_q;
+`ifdef VERILATOR
+  // DoneCycles + 1 of ray_setup_engine
+  if (LatencyCycles < 5 + (MantissaBits + 1) / 2 + (MaxLevel + 1) / 2 + $clog2(MaxLevel + 1)) begin : gen_too_short
+    $error("LatencyCycles is below what the widths need.");
+  end
+`endif
+
   logic [LatencyCycles-1:0] age_q;  // [a]: a ray entered a + 1 cycles ago
   logic [PointerBits:0] ripe_q;     // of those that entered longer ago, not taken
   wire ripens = age_q[LatencyCycles-1];

@@ -9,7 +9,7 @@ namespace {
 class HmtTopUnit final : public RtlUnit, public MemoryClient {
  public:
   HmtTopUnit(const RtlJob& job, const HmtSite& site)
-      : RtlUnit(job, site),
+      : RtlUnit("hmt_top", job, site),
         top_(job.set.make_hmt_top(job.seed)),
         mshrs_(static_cast<size_t>(site.architecture.height_l1.mshrs)),
         seen_((site.image_bytes / line_bytes()) / 64 + 1, 0) {
@@ -37,6 +37,7 @@ class HmtTopUnit final : public RtlUnit, public MemoryClient {
   struct Mshr {
     uint64_t address = 0;
     Cycle lands = kNever;
+    bool waits = false;  ///< for its line
   };
   struct Inside {
     uint32_t ray;
@@ -98,6 +99,7 @@ void HmtTopUnit::tick() {
     Mshr& mshr = mshrs_[static_cast<size_t>(in.fill_mshr)];
     in.fill_data = job_.image.data() + mshr.address;
     mshr.lands = kNever;
+    mshr.waits = false;
     next_landing_ = kNever;
     for (const Mshr& m : mshrs_) next_landing_ = std::min(next_landing_, m.lands);
   }
@@ -110,9 +112,7 @@ void HmtTopUnit::tick() {
     const auto leaves =
         std::find_if(inside_.begin(), inside_.end(), [&](const Inside& r) { return r.ray == record.ray_id; });
     if (leaves == inside_.end()) {
-      throw Error(ExitCode::kMismatch, "hmt_top[" + std::to_string(site_.pipeline) + "] sends ray " +
-                                           std::to_string(record.ray_id) + " in cycle " +
-                                           std::to_string(cycle_) + ", which is not inside.");
+      throw wrong("sends ray " + std::to_string(record.ray_id) + ", which is not inside,");
     }
     retire(record, leaves->sent);
     *leaves = inside_.back();
@@ -136,12 +136,13 @@ int HmtTopUnit::landing_now() const {
 }
 
 void HmtTopUnit::request(int mshr, uint64_t address) {
-  if (owners_.empty() || address + line_bytes() > job_.image.size()) {
-    throw Error(ExitCode::kMismatch, "hmt_top[" + std::to_string(site_.pipeline) + "] asks for address " +
-                                         std::to_string(address) + " in cycle " + std::to_string(cycle_) +
-                                         (owners_.empty() ? " without a miss." : ", outside the pyramid."));
-  }
-  mshrs_[static_cast<size_t>(mshr)].address = address;
+  const std::string asks = "asks for address " + std::to_string(address);
+  if (owners_.empty()) throw wrong(asks + " without a miss");
+  if (address >= site_.image_bytes || address % line_bytes() != 0)
+    throw wrong(asks + ", which is no line of the pyramid,");
+  if (static_cast<size_t>(mshr) >= mshrs_.size() || mshrs_[static_cast<size_t>(mshr)].waits)
+    throw wrong(asks + " with MSHR " + std::to_string(mshr) + ", which waits or is none,");
+  mshrs_[static_cast<size_t>(mshr)] = {address, kNever, true};
   const uint64_t line = address / line_bytes();
   unique_lines_ += static_cast<int64_t>(~seen_[line / 64] >> (line % 64) & 1);
   seen_[line / 64] |= uint64_t{1} << (line % 64);

@@ -60,9 +60,19 @@ bool RtlUnit::no_ray_to_come() {
          site_.dispatch.last_sent() < cycle_;
 }
 
+Error RtlUnit::wrong(const std::string& what) const {
+  return {ExitCode::kMismatch, name_ + "[" + std::to_string(site_.pipeline) + "] " + what + " in cycle " +
+                                   std::to_string(cycle_) + "."};
+}
+
+Error RtlUnit::no_such_ray(uint32_t number) const {
+  return wrong("works on ray " + std::to_string(number) + " of " + std::to_string(site_.order.size()));
+}
+
 void RtlUnit::count_slot(HmtTopPort::Slot slot, uint32_t number) {
   using Slot = HmtTopPort::Slot;
   if (slot == Slot::kBubble || slot == Slot::kStall) return;
+  if (number >= site_.order.size()) throw no_such_ray(number);
   RayTiming& timing = site_.timing[site_.order[number]];
   in_context_ += timing.issue_slots++ == 0;
   timing.misses += slot == Slot::kMiss;

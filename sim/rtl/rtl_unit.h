@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "models/common/error.h"
 #include "models/heightmap/texel_layout.h"
 #include "models/traversal/hmt_unit.h"
 #include "sim/machine.h"
@@ -42,7 +43,8 @@ class RtlUnit : public HmtUnit {
   void record_waves(const std::string& file, Cycle first, Cycle last);
 
  protected:
-  RtlUnit(const RtlJob& job, const HmtSite& site) : job_(job), site_(site) {}
+  RtlUnit(std::string name, const RtlJob& job, const HmtSite& site)
+      : job_(job), site_(site), name_(std::move(name)) {}
 
   /// One cycle, `cycle_`.
   virtual void tick() = 0;
@@ -56,7 +58,11 @@ class RtlUnit : public HmtUnit {
   bool hit_queue_ready();
   /// ray_dispatch has sent all, and none is in front of ray_setup.
   bool no_ray_to_come();
+  /// Throws Error(kMismatch) for a ray that there is not: the hardware may be anybody's.
   void count_slot(HmtTopPort::Slot slot, uint32_t ray);
+  /// Error(kMismatch): "traverse[0] sends ray 7 in cycle 12, which is not inside."
+  Error wrong(const std::string& what) const;
+  Error no_such_ray(uint32_t number) const;
   /// The hit stream's transfer of this cycle; the record has the ray's number as its id. `sent`: by ray_dispatch.
   void retire(HitRecord record, Cycle sent);
   const MachineRay& ray(uint32_t number) const { return job_.work.rays[site_.order[number]]; }
@@ -70,6 +76,7 @@ class RtlUnit : public HmtUnit {
 
  private:
   Cycle ended_ = kNever;  ///< where it stopped: what `drain_until` ticks is behind its end
+  std::string name_;
   Cycle hits_open_from_ = 0;
   std::vector<uint32_t>* completions_ = nullptr;
   int64_t rays_completed_ = 0;

@@ -12,7 +12,7 @@ namespace {
 class TraverseRtl final : public RtlUnit {
  public:
   TraverseRtl(const RtlJob& job, const HmtSite& site)
-      : RtlUnit(job, site),
+      : RtlUnit("traverse", job, site),
         traverse_(job.set.make_traverse(job.seed)),
         l1_(site.architecture.height_l1, site.architecture.traverse.contexts, site.image_bytes, site.pipeline,
             site.memory, site.stalls),
@@ -114,7 +114,10 @@ void TraverseRtl::tick() {
   TraversePort::Outputs out = traverse_->evaluate(in);
   if (out.hit_valid && in.hit_ready) leave();
   HeightL1::Answer answer = HeightL1::Answer::kHit;
-  if (out.replayed) l1_.replay(cycle_);
+  if (out.replayed) {
+    if (in.replay_context < 0) throw wrong("takes a replay that is not offered");
+    l1_.replay(cycle_);
+  }
   if (out.ray_taken) enter();
   if (out.lookup) {
     answer = look_up(out);
@@ -136,9 +139,7 @@ void TraverseRtl::leave() {
   const auto found = std::find_if(resident_.begin(), resident_.end(),
                                   [&](const Resident& r) { return r.ray == record.ray_id; });
   if (found == resident_.end()) {
-    throw Error(ExitCode::kMismatch, "traverse[" + std::to_string(site_.pipeline) + "] sends ray " +
-                                         std::to_string(record.ray_id) + " in cycle " +
-                                         std::to_string(cycle_) + ", which is not inside.");
+    throw wrong("sends ray " + std::to_string(record.ray_id) + ", which is not inside,");
   }
   ++counts_.rays;
   counts_.hits += record.status == HitStatus::kHit;
@@ -149,11 +150,12 @@ void TraverseRtl::leave() {
 }
 
 HeightL1::Answer TraverseRtl::look_up(const TraversePort::Outputs& out) {
-  if (out.address >= site_.image_bytes) {
-    throw Error(ExitCode::kMismatch, "traverse[" + std::to_string(site_.pipeline) + "] looks up address " +
-                                         std::to_string(out.address) + " in cycle " + std::to_string(cycle_) +
-                                         ", outside the pyramid.");
-  }
+  if (out.address >= site_.image_bytes)
+    throw wrong("looks up address " + std::to_string(out.address) + ", outside the pyramid,");
+  if (out.context >= site_.architecture.traverse.contexts)
+    throw wrong("looks up for context " + std::to_string(out.context) + ", which is none,");
+  if (out.slot_ray >= site_.order.size()) throw no_such_ray(out.slot_ray);
+  if (out.retried && !l1_.retry_possible()) throw wrong("takes a retry that is not offered");
   if (out.retried) l1_.pop_retry();
   const HeightL1::Answer answer =
       l1_.lookup(static_cast<uint32_t>(out.address / line_bytes_), out.context, out.slot_ray, cycle_);
