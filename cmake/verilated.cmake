@@ -57,6 +57,11 @@ function(cuesta_verilated name)
     list(APPEND sources "${source}")
   endforeach()
   list(TRANSFORM ARG_PARAMETERS PREPEND "-G")
+  # A user's own module is not held to this project's lint.
+  set(lint -Wall)
+  if(NOT CUESTA_TRAVERSE_SV STREQUAL "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv")
+    set(lint -Wall -Wno-fatal -Wno-DECLFILENAME)
+  endif()
   set(waves)
   if(ARG_WAVES)
     set(waves TRACE_FST)
@@ -66,7 +71,7 @@ function(cuesta_verilated name)
       TOP_MODULE ${ARG_TOP} PREFIX ${ARG_PREFIX} ${waves}
       INCLUDE_DIRS "${PROJECT_SOURCE_DIR}/rtl"
       # A process in pieces reads registers that another piece has written: -fno-split saves their copies.
-      VERILATOR_ARGS -Wall ${assert} ${coverage} --x-assign unique --x-initial unique -fno-split ${ARG_PARAMETERS}
+      VERILATOR_ARGS ${lint} ${assert} ${coverage} --x-assign unique --x-initial unique -fno-split ${ARG_PARAMETERS}
       OPT_FAST ${CUESTA_RTL_OPTIMISE} -fno-tree-vectorize OPT_GLOBAL ${CUESTA_RTL_OPTIMISE})
   get_target_property(with_runtime ${name} SOURCES)
   list(FILTER with_runtime EXCLUDE REGEX "^/usr/share/verilator/include/")

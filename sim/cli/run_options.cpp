@@ -145,6 +145,11 @@ std::vector<ResolvedArchitecture> parse_architectures(const std::vector<std::str
   for (const std::string& name : split_at_commas(names)) {
     found.push_back(resolve_architecture(name, settings, fidelity != Fidelity::kFunctional));
     if (fidelity == Fidelity::kRtl) {
+      for (const std::string& setting : settings) {
+        if (setting.starts_with("units."))
+          throw usage_error("--set " + setting +
+                            ": --fidelity rtl says it all; accepted with it is --fidelity cycle.");
+      }
       found.back().set("units.hmt_top", static_cast<int64_t>(Implementation::kRtl), "--fidelity rtl");
     }
     for (size_t k = 0; k + 1 < found.size(); ++k) {

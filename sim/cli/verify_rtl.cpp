@@ -55,19 +55,21 @@ class VerifyRtlCommand : public Command {
     app.add_option("--rays", options_.rays_file,
                    "With a scene: rays from a .rays or .csv file in the place of its camera");
     app.add_option("--heightmap", options_.heightmap, "Heights from an image, as `cuesta run` takes them");
-    app.add_option("--algorithm", algorithm_,
-                   "With a scene: one out of `cuesta list algorithms`, or a schedule")
-        ->capture_default_str();
-    app.add_option("--arch", architecture_, "With a scene: preset or architecture file")
-        ->capture_default_str();
+    algorithm_option_ = app.add_option("--algorithm", algorithm_,
+                                       "With a scene: one out of `cuesta list algorithms`, or a schedule")
+                            ->capture_default_str();
+    architecture_option_ =
+        app.add_option("--arch", architecture_, "With a scene: preset or architecture file")
+            ->capture_default_str();
     app.add_option("--set", options_.settings,
                    "With a scene: one value of the architecture: height_l1.ways=4; may be repeated")
         ->allow_extra_args(false);
     app.add_option("--size", options_.size, "With a scene: pixels: 256 or 640x480");
     app.add_option("--crop", options_.crop, "With a scene: only the pixels x,y,width,height of the frame");
-    app.add_option("--stalls", stalls_,
-                   "With a scene: SEED:p,p,p,p,p,p,p,p, chances of a stall per mille at the ports trace, "
-                   "dispatch, setup, memory request, memory response, hit stream, result, write");
+    app.add_option(
+        "--stalls", stalls_,
+        "With a scene: SEED:p,p,p,p,p,p,p,p, chances of a stall per mille at the ports trace, "
+        "dispatch, setup (with --unit traverse), memory request, memory response, hit stream, result, write");
     app.add_option("--memory", memory_,
                    "With a scene: SEED:LEAST,MOST,GAP: rays come up to GAP cycles apart, memory answers "
                    "after LEAST to MOST cycles, in any order");
@@ -75,14 +77,14 @@ class VerifyRtlCommand : public Command {
                    "With a scene: what registers without a reset begin with; 0: zeros")
         ->check(CLI::Range(0, 1 << 30));
     app.add_option("-o,--output", options_.folder,
-                   "Folder for the smallest failing case; default: the next free results/verify-rtl-NNN");
-    app.add_flag("--force,--overwrite", options_.force, "Replace an older result folder of that name");
+                   "New folder for the smallest failing case; default: the next free results/verify-rtl-NNN");
   }
 
   ExitCode run(const Session& session) override {
     sides_ = rtl_sides(parse_hardware_unit(unit_));
     const bool own = !scene_.empty() || !options_.heightmap.empty() || !options_.rays_file.empty();
     refuse_unused(own);
+    if (!options_.folder.empty()) folder_.emplace(open_result_folder(options_, ""));  // known before the work
     return own ? compare_own(session) : compare_random(session);
   }
 
@@ -104,7 +106,9 @@ class VerifyRtlCommand : public Command {
                                                       {"--ray-count", count_option_->count() > 0},
                                                       {"--seed", seed_option_->count() > 0},
                                                       {"--sets", sets_option_->count() > 0}};
-    const std::pair<const char*, bool> of_own[] = {{"--set", !options_.settings.empty()},
+    const std::pair<const char*, bool> of_own[] = {{"--algorithm", algorithm_option_->count() > 0},
+                                                   {"--arch", architecture_option_->count() > 0},
+                                                   {"--set", !options_.settings.empty()},
                                                    {"--size", !options_.size.empty()},
                                                    {"--crop", !options_.crop.empty()},
                                                    {"--stalls", !stalls_.empty()},
@@ -130,6 +134,12 @@ class VerifyRtlCommand : public Command {
     LockstepCase one;
     one.machine.architecture = machines[0].architecture;
     if (!stalls_.empty()) one.machine.stalls = parse_stalls(stalls_, "--stalls");
+    if (unit_ == "hmt_top" && one.machine.stalls.per_mille[static_cast<int>(Port::kSetup)] != 0) {
+      throw usage_error(
+          "--stalls " + stalls_ +
+          ": the third port, setup, is inside hmt_top, where nothing can hold it back; accepted is 0 "
+          "there, or --unit traverse.");
+    }
     one.machine.register_seed = register_seed_;
     if (!memory_.empty()) one.machine.memory = parse_memory_timing(memory_, "--memory");
     Job job = prepare_job(scene_or_default(scene_, options_), scene_changes(options_),
@@ -204,8 +214,8 @@ class VerifyRtlCommand : public Command {
   [[noreturn]] void fail(const Session& session, const LockstepCase& one, const LockstepResult& result,
                          const Totals& totals) {
     const std::string names[2] = {sides_[0].name, sides_[1].name};
-    std::string text = describe(one) + report(result.differences, names);
-    fmt::print("{}", text);
+    const std::string first = report(result.differences, names);
+    fmt::print("{}", first);
     if (!session.quiet)
       fmt::print(stderr, "verify rtl: looking for the smallest workload that differs ...\n");
     const ShrunkCase shrunk = shrink(
@@ -216,7 +226,8 @@ class VerifyRtlCommand : public Command {
         },
         result.rays);
     const LockstepResult smallest = run_lockstep(shrunk.smallest, sides_[0], sides_[1]);
-    ResultFolder folder = open_result_folder(options_, "verify-rtl");
+    if (!folder_) folder_.emplace(open_result_folder(options_, "verify-rtl"));
+    ResultFolder& folder = *folder_;
     const std::string arguments =
         write_case(shrunk.smallest, folder.file("scene.toml").parent_path(), folder.final_path());
     const std::string small = "\nthe smallest workload that differs, after " + std::to_string(shrunk.runs) +
@@ -226,7 +237,7 @@ class VerifyRtlCommand : public Command {
     fmt::print("{}", small);
     leave_waves(shrunk.smallest, sides_[1], smallest.differences.at(0),
                 folder.file("first_difference.fst").string());
-    folder.write("difference.txt", text + small);
+    folder.write("difference.txt", describe(one) + first + small);
     folder.commit();
     fmt::print("files, and waves around the difference: {}\n", folder.final_path().string());
     throw Error(
@@ -246,7 +257,8 @@ class VerifyRtlCommand : public Command {
   int workers_ = 1;
   int register_seed_ = 0;
   CLI::Option *seconds_option_ = nullptr, *count_option_ = nullptr, *seed_option_ = nullptr,
-              *sets_option_ = nullptr;
+              *sets_option_ = nullptr, *algorithm_option_ = nullptr, *architecture_option_ = nullptr;
+  std::optional<ResultFolder> folder_;  ///< of -o
   std::array<LockstepSide, 2> sides_;
   size_t sets_compared_ = 0;
 };

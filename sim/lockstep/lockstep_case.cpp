@@ -9,9 +9,10 @@ namespace cuesta {
 std::string describe(const LockstepCase& one) {
   const MapShape map = one.map();
   const LockstepMachine& machine = one.machine;
-  std::string text = fmt::format("seed {}: {}, map {} x {}, {} bits, {}, {} rays on {} x {} pixels\n",
-                                 one.seed, name_of(machine.schedule), map.width, map.height, map.bits,
-                                 name_of(map.address_mode), one.rays.size(), one.width, one.height);
+  std::string text =
+      fmt::format("seed {}: {}, map {} x {}, {} bits, {}, {} ray{} on {} x {} pixels\n", one.seed,
+                  name_of(machine.schedule), map.width, map.height, map.bits, name_of(map.address_mode),
+                  one.rays.size(), one.rays.size() == 1 ? "" : "s", one.width, one.height);
   text += "stalls: " + text_of(machine.stalls) + "\n";
   text += fmt::format("register seed: {}\n", machine.register_seed);
   text += "memory: " + (machine.memory ? text_of(*machine.memory) : "the machine's dram") + "\n";
