@@ -77,9 +77,9 @@ TEST(Parameters, AreDistinctAndTheirDefaultsAreAccepted) {
 }
 
 TEST(Parameters, CoverEveryFieldOfTheMachine) {
-  // 3 + 6 + 3 + 12 + 4 + 1 + 2 + 12 + 1 fields in models/architecture.h and models/memory/dram_parameters.h.
-  EXPECT_EQ(parameters().size(), 44u);
-  EXPECT_EQ(parameter_sections().size(), 9u);
+  // 3 + 6 + 3 + 12 + 4 + 1 + 2 + 12 + 1 + 2 fields in models/architecture.h and models/memory/dram_parameters.h.
+  EXPECT_EQ(parameters().size(), 46u);
+  EXPECT_EQ(parameter_sections().size(), 10u);
 }
 
 TEST(Presets, GiveEveryParameterThemselves) {
