@@ -62,11 +62,20 @@ TEST_F(CommandLine, WrongUsageEndsWithTwoAndTheNearestName) {
 }
 
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
-  const Words verbs[] = {{"run"},           {"compare"},           {"trace"},
-                         {"rays", "make"},  {"rays", "info"},      {"rays", "convert"},
-                         {"rays", "check"}, {"heightmap", "make"}, {"heightmap", "info"},
-                         {"list"},          {"verify", "oracle"},  {"verify", "laws"},
-                         {"verify", "rtl"}, {"study"}};
+  const Words verbs[] = {{"run"},
+                         {"compare"},
+                         {"trace"},
+                         {"rays", "make"},
+                         {"rays", "info"},
+                         {"rays", "convert"},
+                         {"rays", "check"},
+                         {"heightmap", "make"},
+                         {"heightmap", "info"},
+                         {"list"},
+                         {"verify", "oracle"},
+                         {"verify", "laws"},
+                         {"verify", "rtl"},
+                         {"study"}};
   for (Words words : verbs) {
     words.push_back("--help");
     const ProgramResult result = cuesta(words);
