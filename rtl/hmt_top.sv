@@ -8,13 +8,7 @@
 `include "traversal/traverse_types.svh"
 
 module hmt_top #(
-    parameter int MaxLevel = 10,       // largest map: 2^MaxLevel texels a side
-    parameter int HeightBits = 8,
-    parameter int FractionBits = 8,
-    parameter int DirectionBits = 32,
-    parameter int MantissaBits = 12,
-    parameter int TileBits = 4,
-    parameter int IdBits = 32,
+`include "traversal/ray_widths.svh"
     parameter int SetupLatencyCycles = 24,
     parameter int SetupIntervalCycles = 4,
     parameter int SetupQueueDepth = 8,
@@ -25,12 +19,7 @@ module hmt_top #(
     parameter int Ways = 4,
     parameter int Mshrs = 8,
     parameter int AddressBits = 32,
-    // Widths that follow.
-    parameter int IndexBits = MaxLevel + TileBits,
-    parameter int PositionBits = IndexBits + FractionBits + 2,
-    parameter int PlaneBits = IndexBits + 3,
-    parameter int TimeBits =
-        ((IndexBits > HeightBits) ? IndexBits : HeightBits) + FractionBits + MantissaBits,
+    // A width that follows.
     parameter int MshrBits = (Mshrs > 1) ? $clog2(Mshrs) : 1
 ) (
     input logic clk_i,
@@ -83,9 +72,6 @@ module hmt_top #(
     output logic [     IdBits-1:0] event_id_o
 );
 
-  localparam int SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1;
-  localparam int ProductBits = SpaceBits + FractionBits + MantissaBits + 2;
-  localparam int ShiftBits = $clog2(DirectionBits);
   localparam int ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1;
 
   // ---- Configuration registers

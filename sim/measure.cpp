@@ -7,11 +7,6 @@
 namespace cuesta {
 namespace {
 
-bool equal(const NumberFormat& a, const NumberFormat& b) {
-  return a.fraction_bits == b.fraction_bits && a.direction_bits == b.direction_bits &&
-         a.mantissa_bits == b.mantissa_bits && a.tile_bits == b.tile_bits;
-}
-
 MachineFacts facts_of(const Architecture& a, Fidelity fidelity, int texel_bytes) {
   MachineFacts facts;
   facts.pipelines = a.machine.pipelines;
@@ -39,7 +34,7 @@ std::string Measurer::steps_free_digest(const std::vector<HitRecord>& hits) {
 
 const std::vector<MachineRay>& Measurer::rays_for(const NumberFormat& format) {
   for (const auto& [known, rays] : rays_) {
-    if (equal(known, format)) return rays;
+    if (known == format) return rays;
   }
   std::vector<MachineRay> rays;
   rays.reserve(job_.trace.rays.size());

@@ -25,6 +25,8 @@ struct NumberFormat {
   int direction_bits = 32;  ///< D: bits of the largest direction component, 8 to 32
   int mantissa_bits = 12;   ///< M: bits of a reciprocal's mantissa, 2 to 24
   int tile_bits = 4;        ///< w2: a ray crosses at most 2^w2 tiles, 0 to 20
+
+  bool operator==(const NumberFormat&) const = default;
 };
 
 /// The shape of a map as traversal sees it.

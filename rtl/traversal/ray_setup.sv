@@ -9,25 +9,10 @@
 `include "traversal/traverse_types.svh"
 
 module ray_setup #(
-    parameter int MaxLevel = 10,       // n of the largest map
-    parameter int HeightBits = 8,      // B
-    parameter int FractionBits = 8,    // f
-    parameter int DirectionBits = 32,  // D
-    parameter int MantissaBits = 12,   // M
-    parameter int TileBits = 4,        // w2
-    parameter int IdBits = 32,
+`include "traversal/ray_widths.svh"
     parameter int LatencyCycles = 24,
     parameter int IntervalCycles = 4,
-    parameter int QueueDepth = 8,
-    // Widths that follow.
-    parameter int IndexBits = MaxLevel + TileBits,
-    parameter int PositionBits = IndexBits + FractionBits + 2,
-    parameter int PlaneBits = IndexBits + 3,
-    parameter int SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1,
-    parameter int ProductBits = SpaceBits + FractionBits + MantissaBits + 2,
-    parameter int TimeBits =
-        ((IndexBits > HeightBits) ? IndexBits : HeightBits) + FractionBits + MantissaBits,
-    parameter int ShiftBits = $clog2(DirectionBits)
+    parameter int QueueDepth = 8
 ) (
     input logic clk_i,
     input logic rst_ni,

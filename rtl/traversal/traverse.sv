@@ -13,24 +13,11 @@
 `include "traversal/traverse_types.svh"
 
 module traverse #(
-    parameter int MaxLevel = 10,
-    parameter int HeightBits = 8,
-    parameter int FractionBits = 8,
-    parameter int DirectionBits = 32,
-    parameter int MantissaBits = 12,
-    parameter int TileBits = 4,
-    parameter int IdBits = 32,
+`include "traversal/ray_widths.svh"
     parameter int Stages = 8,
     parameter int Contexts = 32,
     parameter int AddressBits = 24,
-    // Widths that follow.
-    parameter int IndexBits = MaxLevel + TileBits,
-    parameter int PlaneBits = IndexBits + 3,
-    parameter int SpaceBits = (IndexBits + 2 > HeightBits + 1) ? IndexBits + 2 : HeightBits + 1,
-    parameter int ProductBits = SpaceBits + FractionBits + MantissaBits + 2,
-    parameter int TimeBits =
-        ((IndexBits > HeightBits) ? IndexBits : HeightBits) + FractionBits + MantissaBits,
-    parameter int ShiftBits = $clog2(DirectionBits),
+    // A width that follows.
     parameter int ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1
 ) (
     input logic clk_i,

@@ -53,7 +53,7 @@ class VerifyRtlCommand : public Command {
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     app.add_option("--rays", options_.rays_file,
-                   "With a scene: rays from a .rays or .csv file in the place of its camera");
+                   "Rays from a .rays or .csv file, over the scene's heights (default's without one)");
     app.add_option("--heightmap", options_.heightmap, "Heights from an image, as `cuesta run` takes them");
     algorithm_option_ = app.add_option("--algorithm", algorithm_,
                                        "With a scene: one out of `cuesta list algorithms`, or a schedule")
@@ -142,7 +142,7 @@ class VerifyRtlCommand : public Command {
     }
     one.machine.register_seed = register_seed_;
     if (!memory_.empty()) one.machine.memory = parse_memory_timing(memory_, "--memory");
-    Job job = prepare_job(scene_or_default(scene_, options_), scene_changes(options_),
+    Job job = prepare_job(scene_.empty() ? "default" : scene_, scene_changes(options_),
                           watched(session, "making rays", 0));
     one.machine.schedule = algorithm_on(algorithms[0], machines[0].architecture.traverse).schedule;
     if (one.machine.schedule.stop_level > job.map.root_level) {

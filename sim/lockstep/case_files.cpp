@@ -31,16 +31,10 @@ std::string scene_text(const LockstepCase& one) {
 }
 
 std::string architecture_text(const Architecture& architecture) {
-  std::string text;
-  std::string_view section;
-  for (const Parameter& parameter : parameters()) {
-    if (parameter.section() != section) {
-      section = parameter.section();
-      text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", section);
-    }
-    text += fmt::format("{} = {}\n", parameter.key(), parameter.text(parameter.get(architecture)));
-  }
-  return text;
+  ResolvedArchitecture resolved;
+  resolved.architecture = architecture;
+  resolved.origins.assign(parameters().size(), "the case");
+  return resolved.toml(true);
 }
 
 /// "SEED:n,n,...": the seed, and exactly as many numbers as `numbers` has places, each 0 to `most`.

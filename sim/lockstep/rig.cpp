@@ -41,9 +41,7 @@ LockstepWork::LockstepWork(const LockstepCase& one, const LockstepMachine& machi
 }
 
 bool LockstepWork::serves(const LockstepCase& one, const LockstepMachine& machine) const {
-  const NumberFormat other = number_format(machine.architecture.traverse, one.map());
-  return format.fraction_bits == other.fraction_bits && format.direction_bits == other.direction_bits &&
-         format.mantissa_bits == other.mantissa_bits && format.tile_bits == other.tile_bits &&
+  return format == number_format(machine.architecture.traverse, one.map()) &&
          pyramid->lowest_level() == machine.schedule.stop_level;
 }
 

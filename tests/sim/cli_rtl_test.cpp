@@ -52,6 +52,16 @@ TEST_F(CommandLineRtl, WavesOfCyclesAndOfAPixelAreWrittenAndChangeNothing) {
     // An FST file begins with its header block: type 0, length 329.
     EXPECT_EQ(fst.substr(0, 9), std::string("\0\0\0\0\0\0\0\1\x49", 9)) << name;
   }
+  // Then its first and last time, each 8 bytes, the highest first; a cycle takes two.
+  auto time = [](const std::string& fst, size_t at) {
+    uint64_t value = 0;
+    for (size_t k = at; k < at + 8; ++k) value = value << 8 | static_cast<uint8_t>(fst[k]);
+    return value;
+  };
+  EXPECT_EQ(time(read("a.fst"), 9), 2u * 40);
+  EXPECT_EQ(time(read("a.fst"), 17), 2u * 90 + 1);
+  EXPECT_EQ(time(read("c.fst"), 9), 0u);
+  EXPECT_EQ(time(read("c.fst"), 17), 2u * 999 + 1);
   expect_refusal(cuesta({"run", "small.toml", "--fidelity", "rtl", "--waves", "a.fst"}), 2, "it exists",
                  "again");
   expect_refusal(cuesta({"run", "small.toml", "--fidelity", "rtl", "--waves", "a.vcd"}), 2, ".fst", "a VCD");

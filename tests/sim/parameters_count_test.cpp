@@ -23,11 +23,6 @@ struct Case {
   std::string algorithm = "yun2013";
 };
 
-std::vector<std::string> implementations() {
-  if (rtl::rtl_sets().empty()) return {"model", "model"};  // built without hardware
-  return {"model", "rtl"};
-}
-
 // One row per parameter; whoever adds a parameter adds its row.
 const std::vector<Case>& cases() {
   static const std::vector<std::string> kSmallL1 = {"height_l1.size_bytes=256", "height_l1.line_bytes=16",
@@ -78,8 +73,8 @@ const std::vector<Case>& cases() {
       {"dram.request_latency_cycles", {"5", "50"}},
       {"dram.response_latency_cycles", {"5", "50"}},
       {"texels.layout", {"row_major", "morton", "mip_atlas", "blocks_4x4", "ki2007_slices"}, kSmallL1},
-      {"units.hmt_top", implementations()},
-      {"units.traverse", implementations()},
+      {"units.hmt_top", {"model", "rtl"}},
+      {"units.traverse", {"model", "rtl"}},
   };
   return rows;
 }
@@ -123,6 +118,7 @@ TEST(EveryParameter, ChangesSomeCountOrSaysThatItIsInert) {
     const Case* row = case_of(parameter.path);
     ASSERT_TRUE(row) << parameter.path << " has no row in this test's table";
     ASSERT_GE(row->values.size(), 2u) << parameter.path;
+    if (parameter.section() == "units" && rtl::rtl_sets().empty()) continue;  // built without hardware
     std::set<std::string> seen;
     for (const std::string& value : row->values) seen.insert(counted(measurer, *row, value));
     EXPECT_EQ(seen.size(), parameter.inert.empty() ? row->values.size() : 1u) << parameter.path;
