@@ -41,6 +41,15 @@ TEST_F(VerifyRtl, AUsersOwnSceneRaysStallsAndMemoryDoNotDiffer) {
   EXPECT_NE(result.out.find("verify rtl: 400 rays, "), std::string::npos) << result.out;
 }
 
+TEST_F(VerifyRtl, RaysAloneRunOverTheDefaultScenesHeights) {
+  ASSERT_EQ(cuesta({"rays", "make", "random", "-o", "own.rays", "--count", "64", "-q"}).code, 0);
+  const ProgramResult result = cuesta({"verify", "rtl", "--rays", "own.rays", "-q"});
+  expect_equal(result);
+  EXPECT_NE(result.out.find("verify rtl: 64 rays, "), std::string::npos) << result.out;
+  expect_refusal(cuesta({"verify", "rtl", "--rays", "lost.rays", "-q"}), 3, "there is no such file",
+                 "a missing trace");
+}
+
 TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
   const struct {
     Words words;
@@ -54,7 +63,6 @@ TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
       {{"default", "--memory", "1:9,8,0"}, "--memory 1:9,8,0: accepted is SEED:"},
       {{"default", "--size", "8", "--set", "traverse.contexts=48"}, "traverse.contexts is 48"},
       {{"default", "--size", "8", "--set", "traverse.arithmetic=float"}, "accepted is fixed"},
-      {{"--rays", "own.rays"}, "No scene is given"},
   };
   for (const auto& [words, part] : cases) {
     Words all = {"verify", "rtl", "-q"};
