@@ -46,6 +46,15 @@ std::string did_you_mean(std::string_view found, std::span<const std::string_vie
   return nearest.empty() ? std::string() : "; did you mean `" + std::string(nearest) + "`?";
 }
 
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> words;
+  for (size_t end; (end = text.find(at)) != std::string_view::npos; text.remove_prefix(end + 1)) {
+    words.push_back(text.substr(0, end));
+  }
+  words.push_back(text);
+  return words;
+}
+
 std::string joined(std::span<const std::string_view> names) {
   std::string text;
   for (std::string_view name : names) {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // Words for messages.
 namespace cuesta {
@@ -14,6 +15,8 @@ size_t edit_distance(std::string_view a, std::string_view b);
 std::string_view nearest_name(std::string_view found, std::span<const std::string_view> names);
 /// "; did you mean `x`?", or empty.
 std::string did_you_mean(std::string_view found, std::span<const std::string_view> names);
+/// "a:b" at ':' -> a, b; an empty text is one empty word.
+std::vector<std::string_view> split(std::string_view text, char at);
 /// "a, b, c".
 std::string joined(std::span<const std::string_view> names);
 /// Printable, at most `limit` characters: for texts of unknown origin in messages.

@@ -117,20 +117,10 @@ const Algorithm* row_of(const Schedule& schedule) {
   return nullptr;
 }
 
-std::vector<std::string_view> split_at_colons(std::string_view text) {
-  std::vector<std::string_view> words;
-  while (true) {
-    const size_t colon = text.find(':');
-    words.push_back(text.substr(0, colon));
-    if (colon == std::string_view::npos) return words;
-    text.remove_prefix(colon + 1);
-  }
-}
-
 /// Reads one text; every fault names it.
 class ScheduleReader {
  public:
-  explicit ScheduleReader(std::string_view text) : text_(text), words_(split_at_colons(text)) {}
+  explicit ScheduleReader(std::string_view text) : text_(text), words_(split(text, ':')) {}
 
   Schedule read() {
     Schedule schedule;

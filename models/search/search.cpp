@@ -1,0 +1,172 @@
+#include "models/search/search.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+#include "models/common/error.h"
+#include "models/common/words.h"
+
+namespace cuesta {
+namespace {
+
+using enum SearchKind;
+
+// Numbers that the papers at hand print, or that are known of them, are in `source`; "ours" where they are not.
+constexpr auto kRows = std::to_array<SearchRow>({
+    {"normal", {kNormal}, false, "ours", "normal mapping: the hit is where the ray enters, no parallax"},
+    {"parallax",
+     {kParallax},
+     false,
+     "Kaneko et al. 2001",
+     "one sample where the ray enters, then straight to where the ray has that height"},
+    {"parallax-limited",
+     {kParallaxLimited},
+     false,
+     "Welsh 2004",
+     "as parallax, without the division by the view's height: the offset is never longer than the depth"},
+    {"steep",
+     {kSteep, 64},
+     false,
+     "McGuire & McGuire 2005; number of steps ours",
+     "linear search: the first sample under the surface"},
+    {"pom-printed",
+     {kPomPrinted, 64, 8},
+     false,
+     "Luna 2012, as printed; numbers of samples ours",
+     "parallax occlusion mapping with its faults: the first sample is compared one step late, a miss has no "
+     "offset"},
+    {"pom",
+     {kPom, 64, 8},
+     false,
+     "Luna 2012, repaired; numbers of samples ours",
+     "parallax occlusion mapping: linear search with steps by view angle, then one secant"},
+    {"pom-tatarchuk",
+     {kPomTatarchuk, 50, 8},
+     false,
+     "Tatarchuk 2006, 8 to 50 samples",
+     "parallax occlusion mapping: linear search with steps by view angle, then one secant"},
+    {"relief",
+     {kRelief, 100, 0, 7},
+     true,
+     "Policarpo, Oliveira, Comba 2005; 100 + 7 as Ki & Oh 2007 compare it",
+     "linear search, then binary search between the last two samples"},
+    {"interval",
+     {kInterval, 32, 0, 4},
+     true,
+     "Risser et al. 2005, 1 to 4 secants; number of linear steps ours",
+     "linear search, then secants between the last two samples"},
+    {"cone",
+     {kCone, 100},
+     false,
+     "Dummer 2006; 100 as Ki & Oh 2007 compare it",
+     "from empty cone to empty cone above the surface"},
+    {"relaxed-cone",
+     {kRelaxedCone, 15, 0, 8},
+     true,
+     "Policarpo & Oliveira 2007, 15 + 8",
+     "along cones that a ray pierces the surface in once at most, then binary search; unsafe"},
+    {"distance",
+     {kDistance, 16},
+     false,
+     "Donnelly 2005, 8 to 16 steps",
+     "from sphere to sphere of a 3-D distance field of 16 layers"},
+    {"safety-radius",
+     {kSafetyRadius, 64, 0, 8},
+     true,
+     "Baboud & Decoret 2006; numbers of steps ours",
+     "march by the radius in which a ray crosses the surface once at most, then binary search"},
+});
+
+/// A number that a row may leave to the user.
+struct Choice {
+  std::string_view name;
+  int Search::*member;
+  int low, high;
+};
+
+std::vector<Choice> choices(const SearchRow& row) {
+  std::vector<Choice> list;
+  if (row.search.steps > 0) list.push_back({"steps", &Search::steps, 1, kMostSearchSteps});
+  if (row.search.least_steps > 0) list.push_back({"least", &Search::least_steps, 1, kMostSearchSteps});
+  if (row.refines) list.push_back({"refine", &Search::refinements, 0, kMostRefinements});
+  return list;
+}
+
+std::string accepted_endings(const SearchRow& row) {
+  std::string text;
+  for (const Choice& choice : choices(row)) {
+    text += std::string(choice.name) + "=N (" + std::to_string(choice.low) + " to " +
+            std::to_string(choice.high) + "), ";
+  }
+  return text + "bilinear";
+}
+
+}  // namespace
+
+std::span<const SearchRow> search_rows() { return kRows; }
+
+const SearchRow& row_of(const Search& search) { return kRows[static_cast<size_t>(search.kind)]; }
+
+const SearchRow* find_search(std::string_view id) {
+  for (const SearchRow& row : kRows) {
+    if (row.id == id) return &row;
+  }
+  return nullptr;
+}
+
+std::string name_of(const Search& search) {
+  const SearchRow& row = row_of(search);
+  std::string name(row.id);
+  for (const Choice& choice : choices(row)) {
+    const int value = search.*choice.member;
+    if (value != row.search.*choice.member)
+      name += ":" + std::string(choice.name) + "=" + std::to_string(value);
+  }
+  if (search.filter == SearchFilter::kBilinear) name += ":bilinear";
+  return name;
+}
+
+Search parse_search(std::string_view text) {
+  const std::vector<std::string_view> words = split(text, ':');
+  const SearchRow* row = find_search(words[0]);
+  if (row == nullptr) throw usage_error("There is no search `" + printable(text) + "`.");
+  const std::string found = "Search `" + printable(text) + "`: ";
+  Search search = row->search;
+  std::vector<std::string_view> given;
+  for (size_t k = 1; k < words.size(); ++k) {
+    const std::string_view word = words[k], name = word.substr(0, word.find('='));
+    for (const std::string_view earlier : given) {
+      if (earlier == name) {
+        throw usage_error(found + "`" + printable(name) + "` is given twice; accepted is once.");
+      }
+    }
+    given.push_back(name);
+    if (word == "bilinear") {
+      search.filter = SearchFilter::kBilinear;
+      continue;
+    }
+    const Choice* choice = nullptr;
+    const std::vector<Choice> all = choices(*row);
+    for (const Choice& one : all) {
+      if (one.name == name) choice = &one;
+    }
+    int value = -1;
+    const std::string_view digits = word.substr(std::min(word.size(), name.size() + 1));
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (choice == nullptr || fault != std::errc{} || end != digits.data() + digits.size() ||
+        value < choice->low || value > choice->high) {
+      throw usage_error(found + "`" + printable(word) + "` is not an ending of " + std::string(row->id) +
+                        "; accepted are " + accepted_endings(*row) + ".");
+    }
+    search.*choice->member = value;
+  }
+  if (search.least_steps > search.steps) {
+    throw usage_error(found + "least=" + std::to_string(search.least_steps) +
+                      " is above steps=" + std::to_string(search.steps) + "; accepted is at most as many.");
+  }
+  return search;
+}
+
+}  // namespace cuesta

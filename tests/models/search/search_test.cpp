@@ -1,0 +1,85 @@
+#include "models/search/search.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "models/common/error.h"
+
+namespace cuesta {
+namespace {
+
+TEST(Search, RowsStandInTheOrderOfTheKinds) {
+  ASSERT_EQ(search_rows().size(), static_cast<size_t>(SearchKind::kSafetyRadius) + 1);
+  std::set<std::string_view> ids;
+  for (size_t k = 0; k < search_rows().size(); ++k) {
+    EXPECT_EQ(static_cast<size_t>(search_rows()[k].search.kind), k) << search_rows()[k].id;
+    EXPECT_TRUE(ids.insert(search_rows()[k].id).second);
+    EXPECT_EQ(find_search(search_rows()[k].id), &search_rows()[k]);
+  }
+}
+
+TEST(Search, HasTheParametersThatThePapersPrint) {
+  EXPECT_EQ(parse_search("relief"), (Search{SearchKind::kRelief, 100, 0, 7}));
+  EXPECT_EQ(parse_search("cone"), (Search{SearchKind::kCone, 100}));
+  EXPECT_EQ(parse_search("relaxed-cone"), (Search{SearchKind::kRelaxedCone, 15, 0, 8}));
+  EXPECT_EQ(parse_search("pom-tatarchuk"), (Search{SearchKind::kPomTatarchuk, 50, 8}));
+}
+
+TEST(Search, IsReadBackFromItsName) {
+  std::set<std::string> names;
+  for (const SearchRow& row : search_rows()) {
+    for (const int steps : {8, row.search.steps, 512}) {
+      for (const int refinements : {0, row.search.refinements}) {
+        for (const SearchFilter filter : {SearchFilter::kTexel, SearchFilter::kBilinear}) {
+          Search search = row.search;
+          if (search.steps > 0) search.steps = steps;
+          if (row.refines) search.refinements = refinements;
+          search.filter = filter;
+          names.insert(name_of(search));
+          EXPECT_EQ(parse_search(name_of(search)), search) << name_of(search);
+        }
+      }
+    }
+  }
+  // 3 kinds without steps, 6 with steps alone, 4 that refine as well; each twice for the filter.
+  EXPECT_EQ(names.size(), 2u * (3 + 6 * 3 + 4 * 3 * 2));
+}
+
+TEST(Search, NamesLeaveOutWhatTheRowSays) {
+  const std::pair<std::string_view, std::string_view> cases[] = {
+      {"relief:refine=7:steps=100", "relief"},
+      {"relief:refine=0:steps=64", "relief:steps=64:refine=0"},
+      {"pom:least=4", "pom:least=4"},
+      {"cone:bilinear:steps=16", "cone:steps=16:bilinear"},
+  };
+  for (const auto& [text, canonical] : cases) EXPECT_EQ(name_of(parse_search(text)), canonical) << text;
+}
+
+TEST(Search, AFaultNamesTheWordAndWhatIsAccepted) {
+  const std::pair<std::string_view, std::string_view> cases[] = {
+      {"relief:steps=0",
+       "`steps=0` is not an ending of relief; accepted are steps=N (1 to 4096), refine=N (0 "
+       "to 64), bilinear."},
+      {"cone:refine=3", "accepted are steps=N (1 to 4096), bilinear."},
+      {"parallax:steps=3", "accepted are bilinear."},
+      {"steep:steps", "`steps` is not an ending"},
+      {"steep:steps=4x", "`steps=4x` is not an ending"},
+      {"steep:steps=4:steps=5", "`steps` is given twice"},
+      {"pom:steps=4", "least=8 is above steps=4"},
+      {"steep:", "`` is not an ending"},
+  };
+  for (const auto& [text, part] : cases) {
+    try {
+      parse_search(text);
+      ADD_FAILURE() << text;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::kUsage);
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cuesta
