@@ -273,6 +273,7 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
     set("traverse", "hits", t.hits);
     set("traverse", "slots_step", t.steps);
     set("traverse", "slots_part", t.part_slots);
+    set("traverse", "slots_compute", t.compute_slots);
     set("traverse", "slots_miss", t.miss_slots);
     set("traverse", "slots_refused", t.refused_slots);
     set("traverse", "slots_dead", t.dead_slots);

@@ -34,7 +34,8 @@ void check_pipeline(Laws& laws, int pipeline, const Architecture& architecture) 
   laws.equal("records out of hit_queue = records written" + where, get("hit_queue", "pops"),
              get("result_writer", "records"));
   laws.equal("reasons add up to traverse's cycles" + where,
-             get("traverse", "slots_step") + get("traverse", "slots_part") + get("traverse", "slots_miss") +
+             get("traverse", "slots_step") + get("traverse", "slots_part") +
+                 get("traverse", "slots_compute") + get("traverse", "slots_miss") +
                  get("traverse", "slots_refused") + get("traverse", "slots_dead") +
                  get("traverse", "bubble_contexts_full") + get("traverse", "bubble_no_ray") +
                  get("traverse", "bubble_drain") + get("traverse", "stall_hit_queue"),

@@ -96,6 +96,8 @@ constexpr StatisticDefinition kDefinitions[] = {
     {"traverse.replays", "accesses", "Of the line accesses, those replayed after their line had landed."},
     {"traverse.resident_cycles", "ray cycles",
      "Sum over rays of the cycles in a context, from entry to completion."},
+    {"traverse.slots_compute", "cycles",
+     "Slots of arithmetic that read nothing, before the samples of a search's step."},
     {"traverse.slots_dead", "cycles", "Slots used by rays dead at set-up."},
     {"traverse.slots_miss", "cycles", "Slots used by a lookup that missed and parked its ray on an MSHR."},
     {"traverse.slots_part", "cycles",

@@ -58,6 +58,8 @@ struct FetchCounts {
 inline constexpr uint32_t kMoreLines = uint32_t{1} << 31;  ///< the step is not done with this line
 inline constexpr uint32_t kKeptStep = uint32_t{1}
                                       << 30;  ///< a step that reads nothing, in the place of a line
+inline constexpr uint32_t kComputeSlot =
+    kMoreLines | kKeptStep;  ///< a slot of arithmetic that reads nothing, before the lines of its step
 inline constexpr uint32_t kLineMask = kKeptStep - 1;
 
 /// Appends the different lines of a quad, row by row; all but the last carry kMoreLines.

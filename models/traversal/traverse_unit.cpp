@@ -65,7 +65,7 @@ void TraverseUnit::step(Context& ray) {
   ++ray.steps.next;
   if (line >= kKeptStep) [[unlikely]] {
     if (line != kKeptStep) {
-      ++counts_.part_slots;
+      ++(line == kComputeSlot ? counts_.compute_slots : counts_.part_slots);
       ++ray.other_slots;
       watchdog_.last_progress = cycle_;
       return;

@@ -10,7 +10,8 @@
 
 namespace cuesta {
 
-/// traverse: one step of one ray per cycle.
+/// traverse: one step of one ray per cycle. What a step is, its StepSource says: a node visit, or a step of an
+/// approximate search.
 ///
 /// Ports: rays from ray_setup, lookups to height_l1, replays from height_l1, hit stream to hit_queue. All but the
 /// choice within a cycle are registered.
@@ -27,13 +28,17 @@ namespace cuesta {
 /// parks and replays the ray for that line alone. A step whose siblings the ray has kept takes one slot without a
 /// lookup. (Our rule: one cache port and one step's worth of wires per slot.)
 ///
+/// A step of a search reads the lines of its sample alike, one a slot. Arithmetic that does not fit between two
+/// samples, a division say, takes slots of its own before them: kComputeSlot, without a lookup. (Ours.)
+///
 /// The value, which lines a ray reads and where it ends, comes from a StepSource.
 class TraverseUnit {
  public:
   /// Cycles by what the pipe did; they add up to all cycles.
   struct Counts {
     int64_t steps = 0;          ///< slots: a node visit is done
-    int64_t part_slots = 0;     ///< slots: a line of a quad was read, others of its step are still to come
+    int64_t part_slots = 0;     ///< slots: a line was read, others of its step are still to come
+    int64_t compute_slots = 0;  ///< slots: arithmetic before the lines of a step
     int64_t miss_slots = 0;     ///< slots: a lookup that missed and parked the ray on an MSHR
     int64_t refused_slots = 0;  ///< slots: a lookup that missed and found no free MSHR
     int64_t dead_slots = 0;     ///< slots: a ray dead at set-up
@@ -47,8 +52,8 @@ class TraverseUnit {
     int64_t hits = 0;
     int64_t resident_cycles = 0;  ///< sum over rays of cycles in a context
     int64_t total() const {
-      return steps + part_slots + miss_slots + refused_slots + dead_slots + contexts_full + no_ray + drain +
-             stalls;
+      return steps + part_slots + compute_slots + miss_slots + refused_slots + dead_slots + contexts_full +
+             no_ray + drain + stalls;
     }
   };
 
@@ -110,10 +115,10 @@ class TraverseUnit {
     Cycle entered;
   };
 
-  /// The step's next line access; kHit where the ray has kept what it needs.
+  /// The step's next line access; kHit where nothing is to be read.
   HeightL1::Answer access(const Context& ray, int context) {
     const uint32_t line = *ray.steps.next;
-    if (line == kKeptStep) [[unlikely]]
+    if ((line & kKeptStep) != 0) [[unlikely]]
       return HeightL1::Answer::kHit;
     return l1_.lookup(line & kLineMask, context, ray.ray, cycle_);
   }

@@ -23,10 +23,15 @@ class ToldRays final : public RayValues {
     for (const uint64_t line : lines_[ray][done_[ray]]) all.push_back(line * kLineBytes);
     return all;
   }
+  int compute_slots(int ray) const override {
+    const auto at = compute.find({ray, done_[ray]});
+    return at == compute.end() ? 0 : at->second;
+  }
   Visit step(int ray) override { return ++done_[ray] == lines_[ray].size() ? Visit::kHit : Visit::kContinue; }
   HitRecord record(int) const override { return {}; }
 
   static constexpr int kLineBytes = 16;
+  std::map<std::pair<int, size_t>, int> compute;  ///< ray and step -> slots of arithmetic
 
  private:
   Steps lines_;
@@ -163,6 +168,17 @@ TEST(Traverse, AStepOfTwoLinesTakesTwoSlotsAndAKeptOneASlotWithoutALookup) {
   EXPECT_EQ(b.kinds[6], TraverseCycle::kStep);
   EXPECT_EQ(b.kinds[10], TraverseCycle::kStep);
   EXPECT_EQ(b.kinds[14], TraverseCycle::kStep);
+}
+
+TEST(Traverse, ArithmeticTakesSlotsBeforeTheLinesOfItsStep) {
+  // Enters in 2: line 0. Two slots of arithmetic in 6 and 10, line 1 in 14 ends the step. A step of two slots of
+  // arithmetic alone in 18 and 22; the end in 26.
+  Bench b(4, 8, std::make_unique<Steps>(Steps{{{0}, {1}, {}}}), 2);
+  b.rays.compute = {{{0, 1}, 2}, {{0, 2}, 2}};
+  b.run(28);
+  EXPECT_EQ(b.completed, (Done{{0, 26}}));
+  for (const Cycle c : {6, 10, 18}) EXPECT_EQ(b.kinds[c], TraverseCycle::kCompute) << c;
+  for (const Cycle c : {2, 14, 22}) EXPECT_EQ(b.kinds[c], TraverseCycle::kStep) << c;
 }
 
 TEST(Traverse, AMissOfAQuadsSecondLineIsReplayedForThatLineAlone) {

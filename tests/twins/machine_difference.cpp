@@ -22,6 +22,7 @@ void count_pipeline(const PipelineCounts& c, size_t p, const Architecture& archi
   set("traverse", "hits", c.rays_hit);
   set("traverse", "slots_step", cycles(TraverseCycle::kStep));
   set("traverse", "slots_part", cycles(TraverseCycle::kPart));
+  set("traverse", "slots_compute", cycles(TraverseCycle::kCompute));
   set("traverse", "slots_miss", cycles(TraverseCycle::kMiss));
   set("traverse", "slots_refused", cycles(TraverseCycle::kRefused));
   set("traverse", "slots_dead", cycles(TraverseCycle::kDead));

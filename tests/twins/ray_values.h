@@ -20,6 +20,8 @@ class RayValues {
   virtual Visit start(int ray) = 0;
   /// Where the texels that the ray's next step fetches lie in the pyramid image, bytes; none: the ray has kept them.
   virtual std::vector<uint64_t> addresses(int ray) const = 0;
+  /// Slots of arithmetic before them.
+  virtual int compute_slots(int) const { return 0; }
   /// One step, with what `addresses` named.
   virtual Visit step(int ray) = 0;
   /// Of a ray that has ended.

@@ -18,10 +18,12 @@ namespace cuesta::twins {
 
 /// traverse: a rigid pipe of `stages` slots that go round; every cycle ends as exactly one TraverseCycle. A step reads
 /// the different lines of its texels one after the other, one a slot, and is done with the last; a step whose texels
-/// the ray has kept is done in one slot without a lookup.
+/// the ray has kept is done in one slot without a lookup. Slots of arithmetic come before a step's first line; a step
+/// without a line has its last one as the slot that does it.
 enum class TraverseCycle : uint8_t {
   kStep,
-  kPart,  ///< a line of a quad, others of the step are to come
+  kPart,     ///< a line of a quad or sample, others of the step are to come
+  kCompute,  ///< arithmetic before the lines of a step
   kMiss,
   kRefused,
   kDead,
@@ -30,7 +32,7 @@ enum class TraverseCycle : uint8_t {
   kDrain,
   kStalled,
 };
-inline constexpr int kTraverseCycleKinds = 9;
+inline constexpr int kTraverseCycleKinds = 10;
 
 class TraverseTwin {
  public:
@@ -126,23 +128,32 @@ class TraverseTwin {
     return ray_setup.offered(cycle);
   }
 
-  /// The lines of the ray's step that it has still to read; those of a new step are asked for.
-  std::deque<uint64_t>& lines_of(int ray, Event& event) {
+  /// What the ray's step has still to do.
+  struct Rest {
+    int compute = 0;  ///< slots
+    std::deque<uint64_t> lines;
+  };
+
+  /// Of the ray's step; that of a new one is asked for.
+  Rest& rest_of(int ray, Event& event) {
     const auto [at, begins] = steps_.try_emplace(ray);
-    if (!begins) return at->second;
+    Rest& rest = at->second;
+    if (!begins) return rest;
     const std::vector<uint64_t> addresses = values_.addresses(ray);
     event.texels = static_cast<int>(addresses.size());
     for (const uint64_t address : addresses) {
       const uint64_t line = address / line_bytes_;
-      if (std::find(at->second.begin(), at->second.end(), line) == at->second.end())
-        at->second.push_back(line);
+      if (std::find(rest.lines.begin(), rest.lines.end(), line) == rest.lines.end())
+        rest.lines.push_back(line);
     }
-    return at->second;
+    rest.compute = values_.compute_slots(ray);
+    if (rest.lines.empty() && rest.compute > 0) --rest.compute;
+    return rest;
   }
 
   /// The first of the step's lines is there.
   void read(int ray, Event& event) {
-    std::deque<uint64_t>& lines = steps_.at(ray);
+    std::deque<uint64_t>& lines = steps_.at(ray).lines;
     lines.pop_front();
     if (lines.empty()) return step(ray, event);
     next_.slot = {ray, false};
@@ -158,12 +169,19 @@ class TraverseTwin {
   }
 
   void look_up(int ray, HeightL1Twin& l1, Event& event) {
-    const std::deque<uint64_t>& lines = lines_of(ray, event);
-    if (lines.empty()) {
+    Rest& rest = rest_of(ray, event);
+    if (rest.compute > 0) {
+      --rest.compute;
+      next_.slot = {ray, false};
+      event.kind = TraverseCycle::kCompute;
+      event.issued = ray;
+      return;
+    }
+    if (rest.lines.empty()) {
       event.kept = true;
       return step(ray, event);
     }
-    const HeightL1Twin::Answer answer = l1.lookup(ray, lines.front());
+    const HeightL1Twin::Answer answer = l1.lookup(ray, rest.lines.front());
     event.lookup = answer;
     if (answer == HeightL1Twin::Answer::kHit) return read(ray, event);
     event.kind = answer == HeightL1Twin::Answer::kRefused ? TraverseCycle::kRefused : TraverseCycle::kMiss;
@@ -176,7 +194,7 @@ class TraverseTwin {
   const PortStalls& stalls_;
   RayValues& values_;
   std::vector<Slot> slots_;
-  std::map<int, std::deque<uint64_t>> steps_;  ///< per ray: lines that its step has still to read
+  std::map<int, Rest> steps_;  ///< per ray
   size_t at_select_ = 0;
   int resident_ = 0;
   int64_t resident_cycles_ = 0;
