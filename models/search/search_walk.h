@@ -1,0 +1,113 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "models/search/linear_search.h"
+#include "models/search/search.h"
+#include "models/search/search_map.h"
+#include "models/search/search_ray.h"
+#include "models/search/search_surface.h"
+#include "models/traversal/hit.h"
+
+// The approximate searches' value: what one ray reads, step by step, and what it finds; without time.
+
+namespace cuesta {
+
+/// One search over one map. `Real` is float (also where the machine's arithmetic is fixed) or double; sqrt is the only
+/// function of the library that is called.
+///
+/// A step is one sample of the surface (its records are read: 1, or 4 filtered) or one slot of arithmetic without memory:
+///   normal              no step: the hit is the entry point. Ours in form.
+///   parallax            1 sample at the entry, then straight to where the ray has that height (Kaneko et al. 2001,
+///                       printed: uv + h V.xy / V.z, h counted from the plane that the eye sees).
+///   parallax-limited    the same without the division: N.V times as far (Welsh 2004, printed).
+///   steep, pom-printed, pom, pom-tatarchuk, relief, interval: linear_search.h.
+/// A ray that is not descending is a miss without a step for normal, parallax and parallax-limited, whose formulas have
+/// no meaning for it; of a descending one they miss nothing but what lies beyond t_max or, in border mode, the map.
+template <class Real>
+class Searcher {
+ public:
+  /// Keeps a reference to `map`. `depth`: of the slab, in tile widths, where the view's angle is asked for.
+  Searcher(const Search& search, const SearchMap& map, const MapShape& shape, const NumberFormat& number,
+           double depth = kUsualDepth)
+      : search_(search),
+        shape_(shape),
+        format_(RealArithmetic<Real>::format(shape, number)),
+        surface_(map, search.filter),
+        depth_(depth) {}
+
+  /// `sink`: read(offset) for each record of the step, compute() for a slot without memory, end_step() after each step;
+  /// a step is one or more reads or one compute. HitRecord: `i`, `j` the cell of the found point in the map's own
+  /// frame, unwrapped; `t` in the unit of `times`; `steps` the calls of end_step().
+  template <class Sink>
+  HitRecord trace(const MachineRay& input, Arithmetic times, Sink& sink) const {
+    HitRecord record;
+    record.ray_id = input.id;
+    const SearchRay<Real> ray = make_search_ray<Real>(input, shape_, format_);
+    if (!ray.alive) return record;
+    Counting<Sink> counted{sink, 0};
+    const SearchFound<Real> found = find(ray, counted);
+    record.steps = counted.steps;
+    if (!found.found) return record;
+    const SearchPoint<Real> point = ray.point(found.t);
+    record.status = HitStatus::kHit;
+    record.face = found.face;
+    record.i = static_cast<int32_t>(surface_.cell_x(point));
+    record.j = static_cast<int32_t>(surface_.cell_y(point));
+    record.t = time_in_record(found.t, times, format_);
+    return record;
+  }
+
+ private:
+  template <class Sink>
+  struct Counting {
+    Sink& sink;
+    uint32_t steps;
+    void read(uint64_t offset) { sink.read(offset); }
+    void compute() { sink.compute(); }
+    void end_step() {
+      sink.end_step();
+      ++steps;
+    }
+  };
+
+  template <class Sink>
+  SearchFound<Real> find(const SearchRay<Real>& ray, Sink& sink) const {
+    switch (search_.kind) {
+      case SearchKind::kNormal:
+        if (!ray.descending()) return {};
+        return {true, ray.t_start, HitFace::kTop};
+      case SearchKind::kParallax:
+        return parallax(ray, Real{1}, sink);
+      case SearchKind::kParallaxLimited:
+        return parallax(ray, normal_view(ray, shape_, depth_), sink);
+      case SearchKind::kPomPrinted:
+      case SearchKind::kPom:
+      case SearchKind::kPomTatarchuk:
+        return linear_search(search_, ray, surface_, normal_view(ray, shape_, depth_), sink);
+      default:
+        return linear_search(search_, ray, surface_, Real{1}, sink);
+    }
+  }
+
+  template <class Sink>
+  SearchFound<Real> parallax(const SearchRay<Real>& ray, Real share, Sink& sink) const {
+    if (!ray.descending()) return {};
+    const SearchPoint<Real> entry = ray.point(ray.t_start);
+    const Real height = surface_.height(entry, sink);
+    sink.end_step();
+    const Real offset = std::max<Real>(0, ray.reaches(height) - ray.t_start);
+    const Real t = ray.t_start + share * offset;
+    if (t > ray.t_end) return {};
+    return {true, t, HitFace::kTop};
+  }
+
+  Search search_;
+  MapShape shape_;
+  typename RealArithmetic<Real>::Format format_;
+  SearchSurface<Real> surface_;
+  double depth_;
+};
+
+}  // namespace cuesta
