@@ -17,6 +17,8 @@ struct SearchFound {
   bool found = false;
   Real t = 0;
   HitFace face = HitFace::kTop;  ///< kInside: the first sample, at the entry, was under the surface
+  bool has_cell = false;         ///< (i, j) is the cell; else it is that of the ray's place at t
+  int64_t i = 0, j = 0;
 };
 
 namespace search_detail {

@@ -1,6 +1,10 @@
 #include "models/search/search_map.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "models/search/preprocessing.h"
 
 namespace cuesta {
 namespace {
@@ -35,12 +39,33 @@ SearchMap::SearchMap(const Search& search, const Pyramid& max_pyramid, AddressMo
       height_(max_pyramid.height(0)),
       mode_(mode),
       record_bytes_(max_pyramid.texel_bytes()) {
+  const auto take = [this](Preprocessed&& made) {
+    added_ = std::move(made.bytes);
+    cost_.texels_read = made.texels_read;
+  };
   const auto texel_bytes = static_cast<uint64_t>(max_pyramid.texel_bytes());
   switch (search.kind) {
     case SearchKind::kNormal:
       added_ = make_normals(max_pyramid, mode);
       record_bytes_ = 3;
       cost_.texels_read = 4 * texels();
+      break;
+    case SearchKind::kCone:
+      take(make_cone_map(max_pyramid, mode));
+      ++record_bytes_;
+      break;
+    case SearchKind::kRelaxedCone:
+      take(make_relaxed_cone_map(max_pyramid, mode));
+      ++record_bytes_;
+      break;
+    case SearchKind::kSafetyRadius:
+      take(make_safety_radii(max_pyramid, mode));
+      ++record_bytes_;
+      break;
+    case SearchKind::kDistance:
+      take(make_distance_field(max_pyramid, mode));
+      record_bytes_ = 1;
+      layers_ = kDistanceLayers;
       break;
     default:
       return;  // the height grid itself

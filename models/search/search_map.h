@@ -27,7 +27,7 @@ inline constexpr int kDistanceLayers = 16;  ///< Donnelly 2005
 /// What a search reads: one record per texel, row by row: the height, little-endian, in 1 or 2 bytes as the machine
 /// stores it, then what the kind adds (all of it one byte, unsigned):
 ///   cone, relaxed-cone   a ratio, rounded down: (byte / 255)^2 longer tile sides of reach per full scale of height
-///   safety-radius        a radius in texels, rounded down
+///   safety-radius        a radius, rounded down: (byte / 255)^2 longer tile sides
 ///   normal               instead of the height: 3 bytes of unit normal, (n + 1) / 2 * 255, rounded to nearest
 ///   distance             instead of the height: 16 layers, one after the other, each a byte a texel
 class SearchMap {

@@ -43,12 +43,20 @@ template <class Real>
 struct SearchRay {
   using A = RealArithmetic<Real>;
 
+  /// An axis of the mirrored frame, on the machine's grid.
+  struct Axis {
+    int64_t origin = 0;  ///< f fraction bits
+    int64_t speed = 0;   ///< >= 0
+    bool back = false;   ///< it was mirrored: the ray moves toward smaller coordinates
+  };
+
   bool alive = false;  ///< false: a miss without a step
   Real x0 = 0, y0 = 0, z0 = 0;
   Real dx = 0, dy = 0, dz = 0;
   Real t_start = 0, t_end = 0, t_max = 0;
-  Real z_end = 0;                           ///< at t_end, exact where the slab ends
-  bool ends_at_bottom = false;              ///< t_end is where the ray reaches z = 0
+  Real z_end = 0;               ///< at t_end, exact where the slab ends
+  bool ends_at_bottom = false;  ///< t_end is where the ray reaches z = 0
+  Axis x, y;
   typename A::Line line_x, line_y, line_z;  ///< mirrored so that x and y never decrease
 
   bool descending() const { return dz < 0; }
@@ -78,12 +86,14 @@ SearchRay<Real> make_search_ray(const MachineRay& input, const MapShape& map,
   ray.dx = static_cast<Real>(input.dx);
   ray.dy = static_cast<Real>(input.dy);
   ray.dz = static_cast<Real>(input.dz);
-  const auto line = [&](int64_t origin, int64_t d, int size) {
-    return d < 0 ? A::plane_line((int64_t{size} << f) - origin, -d, format)
-                 : A::plane_line(origin, d, format);
+  const auto axis = [&](int64_t origin, int64_t d, int size) -> typename SearchRay<Real>::Axis {
+    if (d < 0) return {(int64_t{size} << f) - origin, -d, true};
+    return {origin, d, false};
   };
-  ray.line_x = line(input.x0, input.dx, map.width);
-  ray.line_y = line(input.y0, input.dy, map.height);
+  ray.x = axis(input.x0, input.dx, map.width);
+  ray.y = axis(input.y0, input.dy, map.height);
+  ray.line_x = A::plane_line(ray.x.origin, ray.x.speed, format);
+  ray.line_y = A::plane_line(ray.y.origin, ray.y.speed, format);
   ray.line_z = A::height_line(input.z0, input.dz, format);
   ray.t_max = A::limit(input, format);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "models/search/leaping_search.h"
 #include "models/search/linear_search.h"
 #include "models/search/search.h"
 #include "models/search/search_map.h"
@@ -23,6 +24,7 @@ namespace cuesta {
 ///                       printed: uv + h V.xy / V.z, h counted from the plane that the eye sees).
 ///   parallax-limited    the same without the division: N.V times as far (Welsh 2004, printed).
 ///   steep, pom-printed, pom, pom-tatarchuk, relief, interval: linear_search.h.
+///   cone, relaxed-cone, distance, safety-radius: leaping_search.h.
 /// A ray that is not descending is a miss without a step for normal, parallax and parallax-limited, whose formulas have
 /// no meaning for it; of a descending one they miss nothing but what lies beyond t_max or, in border mode, the map.
 template <class Real>
@@ -53,8 +55,8 @@ class Searcher {
     const SearchPoint<Real> point = ray.point(found.t);
     record.status = HitStatus::kHit;
     record.face = found.face;
-    record.i = static_cast<int32_t>(surface_.cell_x(point));
-    record.j = static_cast<int32_t>(surface_.cell_y(point));
+    record.i = static_cast<int32_t>(found.has_cell ? found.i : surface_.cell_x(point));
+    record.j = static_cast<int32_t>(found.has_cell ? found.j : surface_.cell_y(point));
     record.t = time_in_record(found.t, times, format_);
     return record;
   }
@@ -86,6 +88,16 @@ class Searcher {
       case SearchKind::kPom:
       case SearchKind::kPomTatarchuk:
         return linear_search(search_, ray, surface_, normal_view(ray, shape_, depth_), sink);
+      case SearchKind::kCone:
+        if (surface_.bilinear()) return leaping_search(search_, ray, surface_, cells(ray), sink);
+        return cone_search(search_, ray, surface_, cells(ray), sink);
+      case SearchKind::kSafetyRadius:
+        if (surface_.bilinear()) return leaping_search(search_, ray, surface_, cells(ray), sink);
+        return safety_radius_search(search_, ray, surface_, cells(ray), sink);
+      case SearchKind::kRelaxedCone:
+        return leaping_search(search_, ray, surface_, cells(ray), sink);
+      case SearchKind::kDistance:
+        return distance_search(search_, ray, surface_, sink);
       default:
         return linear_search(search_, ray, surface_, Real{1}, sink);
     }
@@ -102,6 +114,8 @@ class Searcher {
     if (t > ray.t_end) return {};
     return {true, t, HitFace::kTop};
   }
+
+  SearchCells<Real> cells(const SearchRay<Real>& ray) const { return {ray, shape_, format_}; }
 
   Search search_;
   MapShape shape_;
