@@ -51,9 +51,12 @@ class EdgeReach {
   uint64_t operator()(int64_t di, int64_t dj, int i, int j, bool turned_x, bool turned_y) const {
     const int lower = lower_[index(i, j)];
     if (di == 0 && dj == 0) {
-      // Clamped, the map goes on beside its outermost texels with their own height and edges: the nearest place is a corner.
-      const bool goes_on = clamp_ && (i == 0 || j == 0 || i == width_ - 1 || j == height_ - 1);
-      return goes_on && lower != 0 ? 2 : kNoFeature;
+      // Clamped, the map goes on beside its outermost texels with their own height and edges: the nearest is at a corner.
+      const bool beside_x = clamp_ && (i == 0 || i == width_ - 1),
+                 beside_y = clamp_ && (j == 0 || j == height_ - 1);
+      const bool edges = (beside_x && (lower & (neighbour_bit(0, -1) | neighbour_bit(0, 1))) != 0) ||
+                         (beside_y && (lower & (neighbour_bit(-1, 0) | neighbour_bit(1, 0))) != 0);
+      return edges ? 2 : kNoFeature;
     }
     uint64_t nearest = kNoFeature;
     for (int dy = -1; dy <= 1; ++dy) {
