@@ -90,9 +90,9 @@ Pyramid make_pyramid_levels(HeightGrid&& grid) {
 Pyramid build_max_pyramid(const HeightGrid& grid) { return build_max_pyramid(roomy_copy(grid)); }
 Pyramid build_mean_pyramid(const HeightGrid& grid) { return build_mean_pyramid(roomy_copy(grid)); }
 
-Pyramid build_max_pyramid(HeightGrid&& grid) {
-  Pyramid pyramid = make_pyramid_levels(std::move(grid));
-  for (int level = 1; level <= pyramid.root_level(); ++level) {
+/// From `first_level` up every node becomes the maximum of its children.
+void build_maxima(Pyramid& pyramid, int first_level) {
+  for (int level = first_level; level <= pyramid.root_level(); ++level) {
     const Pyramid::Level& below = pyramid.levels_[level - 1];
     const Pyramid::Level& above = pyramid.levels_[level];
     const uint16_t* source = pyramid.values_.data() + below.first;
@@ -103,6 +103,11 @@ Pyramid build_max_pyramid(HeightGrid&& grid) {
       max_row(first, second, below.width, target + static_cast<size_t>(j) * above.width);
     }
   }
+}
+
+Pyramid build_max_pyramid(HeightGrid&& grid) {
+  Pyramid pyramid = make_pyramid_levels(std::move(grid));
+  build_maxima(pyramid, 1);
   // The root is the highest texel: one comparison finds a height that does not fit the bits.
   pyramid.highest_ = pyramid.at(pyramid.root_level(), 0, 0);
   const uint32_t highest = pyramid.highest_;
@@ -175,6 +180,35 @@ Pyramid build_stopped_pyramid(const Pyramid& max_pyramid, int stop_level) {
       means[i] = static_cast<uint16_t>((2 * sums[i] + count) / (2 * count));
     }
   }
+  return pyramid;
+}
+
+Pyramid build_four_corner_pyramid(Pyramid&& max_pyramid, bool wraps) {
+  Pyramid pyramid = std::move(max_pyramid);
+  if (pyramid.root_level() == 0) return pyramid;
+  const int width = pyramid.width(0), height = pyramid.height(0);
+  const auto after = [&](int index, int size) { return index < size ? index : wraps ? 0 : size - 1; };
+  const Pyramid::Level& above = pyramid.levels_[1];
+  std::vector<uint16_t> highest(static_cast<size_t>(width));  // of three rows, column by column
+  for (int j = 0; j < above.height; ++j) {
+    const uint16_t* rows[3];
+    for (int k = 0; k < 3; ++k) {
+      rows[k] = pyramid.level(0) +
+                static_cast<size_t>(after(std::min(2 * j + k, height), height)) * static_cast<size_t>(width);
+    }
+    for (int i = 0; i < width; ++i) {
+      highest[static_cast<size_t>(i)] = std::max({rows[0][i], rows[1][i], rows[2][i]});
+    }
+    uint16_t* nodes =
+        pyramid.values_.data() + above.first + static_cast<size_t>(j) * static_cast<size_t>(above.width);
+    for (int i = 0; i < above.width; ++i) {
+      const auto column = [&](int k) {
+        return highest[static_cast<size_t>(after(std::min(2 * i + k, width), width))];
+      };
+      nodes[i] = std::max({column(0), column(1), column(2)});
+    }
+  }
+  build_maxima(pyramid, 2);
   return pyramid;
 }
 

@@ -47,6 +47,8 @@ class Pyramid {
   friend Pyramid build_max_pyramid(HeightGrid&& grid);
   friend Pyramid build_mean_pyramid(HeightGrid&& grid);
   friend Pyramid build_stopped_pyramid(const Pyramid& max_pyramid, int stop_level);
+  friend void build_maxima(Pyramid& pyramid, int first_level);
+  friend Pyramid build_four_corner_pyramid(Pyramid&& max_pyramid, bool wraps);
 };
 
 /// Places that all levels of a map take, and one more. A grid whose vector has this capacity becomes a pyramid without
@@ -67,5 +69,10 @@ Pyramid build_mean_pyramid(const HeightGrid& grid);
 /// What a traversal that stops at `stop_level` looks at: means at that level, the maxima above it, nothing below. Sizes
 /// and `highest` are those of the whole map. `stop_level` is 0 (a copy) to the root's level.
 Pyramid build_stopped_pyramid(const Pyramid& max_pyramid, int stop_level);
+
+/// The pyramid of a bilinear surface: patch (i, j) lies between the samples (i, j), (i + 1, j), (i, j + 1) and
+/// (i + 1, j + 1). Level 0 holds the samples; node (L, i, j) above it the highest sample of the patches [i << L, (i+1) << L)
+/// x [j << L, (j+1) << L). Beyond the last column and row lie the first ones if `wraps`, else the last ones again.
+Pyramid build_four_corner_pyramid(Pyramid&& max_pyramid, bool wraps);
 
 }  // namespace cuesta

@@ -5,6 +5,7 @@
 
 #include "models/common/error.h"
 #include "models/heightmap/pyramid.h"
+#include "models/oracle/checked_walks.h"
 #include "models/oracle/schedule_walk.h"
 #include "models/traversal/fetch.h"
 #include "models/traversal/lanes.h"
@@ -16,48 +17,6 @@ namespace {
 constexpr size_t kQuadEvery = 7;  // schedules: one in so many is walked again through kept siblings
 
 constexpr std::array<std::string_view, 3> kArithmeticNames = {"fixed", "float", "double"};
-
-std::string describe(const HitRecord& r) {
-  if (r.status == HitStatus::kDidNotFinish) return "did not finish";
-  if (r.status != HitStatus::kHit) return "miss, " + std::to_string(r.steps) + " steps";
-  constexpr std::array<std::string_view, 5> kFaces = {"none", "top", "wall x", "wall y", "inside"};
-  return "hit (" + std::to_string(r.i) + ", " + std::to_string(r.j) + "), t " + std::to_string(r.t) + ", " +
-         std::string(kFaces[static_cast<size_t>(r.face)]) + ", " + std::to_string(r.steps) + " steps";
-}
-
-std::string describe(const Schedule& s) {
-  return "start " + std::string(name_of(s.start)) + ", down " + std::string(name_of_down(s.down)) + ", up " +
-         std::string(name_of(s.up)) + ", stop " + std::to_string(s.stop_level);
-}
-
-/// Hit, cell, t and face; not the steps.
-bool same_answer(const HitRecord& a, const HitRecord& b) {
-  return a.status == b.status && a.i == b.i && a.j == b.j && a.t == b.t && a.face == b.face;
-}
-
-std::vector<Schedule> schedules(const TraversalCheckOptions& options) {
-  std::vector<Schedule> list;
-  for (const Algorithm& algorithm : algorithms()) list.push_back(algorithm.schedule);
-  for (const Algorithm& part : algorithm_parts()) list.push_back(part.schedule);
-  if (options.all_combinations) {
-    for (int start = 0; start < 3; ++start) {
-      for (const int down : down_values()) {
-        for (int up = 0; up < 8; ++up) {
-          list.push_back({static_cast<StartRule>(start), down, static_cast<UpRule>(up), 0});
-        }
-      }
-    }
-  }
-  for (Schedule& schedule : list) schedule.stop_level = options.stop_level;
-  return list;
-}
-
-/// Every second step at least is a crossing, but for descents, of which each level above the leaves is repaid by
-/// an ascent; crossings are as many as there are planes in 2^w2 tiles.
-int64_t most_steps(const RandomMap& map) {
-  const int64_t planes = int64_t{map.shape.width} + map.shape.height;
-  return 4 * (planes << map.format.tile_bits) + 4 * map.shape.root_level + 64;
-}
 
 /// Heights through the siblings that a ray keeps: read when they are fetched, and only then.
 class QuadReader {
@@ -139,7 +98,7 @@ TraversalChecker::TraversalChecker(const RandomMap& map, const TraversalCheckOpt
                        options,
                        build_stopped_pyramid(build_max_pyramid(map.grid), options.stop_level),
                        {},
-                       schedules(options),
+                       checked_schedules(options.all_combinations, options.stop_level),
                        {},
                        {},
                        {},

@@ -17,6 +17,13 @@ inline std::string_view name_of(AddressMode mode) {
   return kNames[static_cast<size_t>(mode) & 3];
 }
 
+/// What the heights of a map mean. Bilinear: patch (i, j) interpolates the heights of texels (i, j) to (i + 1, j + 1),
+/// which lie at its corners, so that its frame is the texels' shifted by half a texel.
+enum class Surface : uint8_t { kTexel = 0, kBilinear = 1 };
+
+/// texel, bilinear
+inline std::string_view name_of(Surface surface) { return surface == Surface::kTexel ? "texel" : "bilinear"; }
+
 enum class Arithmetic : uint8_t { kFixed = 0, kFloat = 1, kDouble = 2 };
 
 /// Widths of the machine's numbers.
@@ -36,6 +43,7 @@ struct MapShape {
   int root_level = 0;  ///< n: smallest with 2^n >= max(width, height)
   int bits = 8;        ///< B
   AddressMode address_mode = AddressMode::kWrap;
+  Surface surface = Surface::kTexel;
 
   int64_t full_scale() const { return (int64_t{1} << bits) - 1; }
   bool is_square_power_of_two() const { return width == height && width == 1 << root_level; }
@@ -61,6 +69,7 @@ struct MachineRay {
 /// A primary ray that starts above z = 1 is moved to z = 1; x0, y0, z0 are rounded to nearest even on the 2^-f
 /// grid; the direction's largest component is scaled to D bits, the others rounded to nearest even.
 /// t_max = min(ceil(traced t_max), t_end, the first time an axis has crossed 2^w2 tiles).
+/// Over a bilinear surface x0 and y0 are half a texel less, from here on and nowhere else: f must be 1 at least.
 /// Throws input_error naming the ray when a component is not finite, the direction is zero, or the origin
 /// does not fit n + w2 + f bits and a sign.
 MachineRay quantise(const TracedRay& ray, const MapShape& map, const NumberFormat& format);

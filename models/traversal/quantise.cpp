@@ -136,6 +136,11 @@ MachineRay quantise(const TracedRay& ray, const MapShape& map, const NumberForma
     }
     *place[a] = fixed << f;
   }
+  if (map.surface == Surface::kBilinear) {
+    const int64_t half_texel = (int64_t{1} << f) >> 1;
+    out.x0 -= half_texel;
+    out.y0 -= half_texel;
+  }
 
   int64_t d[3];
   out.exponent = quantise_direction(ray.direction, scale, format.direction_bits, d);

@@ -222,11 +222,12 @@ bool goes_up(const Walk<A, G>& walk, const RayState<A, G>& ray, bool cross_x, bo
 
 }  // namespace traversal_detail
 
-/// One step: the ray, standing before node (ray.level, ray.gx, ray.gy), learns the node's bound (at the stop
-/// level: the texel) and hits, descends or crosses.
+/// One step: the ray, standing before node (ray.level, ray.gx, ray.gy), learns the node's bound and hits, descends or
+/// crosses. A leaf answers by `leaf_is_hit(t_z, t_out)`: when the ray reaches the bound, when it leaves the leaf; true:
+/// `t_hit` and `face` are set.
 /// Crossing or descending is as good as random to a branch predictor: both are computed and one is selected.
-template <class A, class G>
-inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
+template <class A, class G, class LeafIsHit>
+inline Visit visit_with(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound, LeafIsHit&& leaf_is_hit) {
   using Time = typename A::Time;
   const int level = ray.level;
   const int stop_level = walk.schedule.stop_level;
@@ -237,7 +238,7 @@ inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
   const Time t_z = A::at(ray.z, bound);
   const bool leaf = level == stop_level;
   if (leaf & (ray.rising | (t_z < t_out))) {
-    if (traversal_detail::leaf_is_hit(walk, ray, t_z, t_out)) return Visit::kHit;
+    if (leaf_is_hit(t_z, t_out)) return Visit::kHit;
   }
   const Time reached = ray.rising ? ray.t_cur : std::max(ray.t_cur, t_z);
   const bool skip = leaf | (ray.rising ? t_z <= ray.t_cur : !(reached < t_out));
@@ -272,6 +273,15 @@ inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
     }
   }
   return Visit::kContinue;
+}
+
+/// The same where leaves are constant texels and `bound`, at the stop level, is the texel.
+template <class A, class G>
+inline Visit visit(const Walk<A, G>& walk, RayState<A, G>& ray, int64_t bound) {
+  using Time = typename A::Time;
+  return visit_with(walk, ray, bound, [&](Time t_z, Time t_out) {
+    return traversal_detail::leaf_is_hit(walk, ray, t_z, t_out);
+  });
 }
 
 /// The record of a ray that has ended with `end`.

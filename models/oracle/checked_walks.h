@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "models/oracle/random_cases.h"
+#include "models/traversal/hit.h"
+#include "models/traversal/schedule.h"
+
+// What the checks of traversals share.
+
+namespace cuesta {
+
+/// One line each, for a failure's report.
+std::string describe(const HitRecord& record);
+std::string describe(const Schedule& schedule);
+
+/// Hit, cell, t and face; not the steps.
+bool same_answer(const HitRecord& a, const HitRecord& b);
+
+/// `dda` first, then every named schedule; with `all_combinations` also 3 starts x 4 downs x 8 ups.
+std::vector<Schedule> checked_schedules(bool all_combinations, int stop_level);
+
+/// More than any walk over the map takes: every second step at least is a crossing, but for descents, of which each level above the leaves is repaid by
+/// an ascent; crossings are as many as there are planes in 2^w2 tiles.
+int64_t most_steps(const RandomMap& map);
+
+}  // namespace cuesta
