@@ -62,8 +62,9 @@ TEST(ConeMap, IsWorkedByHandForOneTowerOnAPlain) {
   EXPECT_EQ(map.record_bytes(), 2);
   EXPECT_EQ(map.offset(3, 2), 2u * (2 * 16 + 3));
   const SearchMap relaxed({SearchKind::kRelaxedCone}, c.pyramid, AddressMode::kBorder);
-  EXPECT_EQ(relaxed.added_at(4, 8),
-            120);  // the tower's sides, 3.536 away, before its far edge: 255 sqrt(3.536 / 16)
+  EXPECT_EQ(map.added_at(6, 8), 78);  // 1.5 texels: 78.08
+  EXPECT_EQ(relaxed.added_at(6, 8),
+            80);  // the tower's side edges before its far one, hypot(1.5, .5) texels: 80.16
   const SearchMap wrapped({SearchKind::kCone}, c.pyramid, AddressMode::kWrap);
   EXPECT_EQ(wrapped.added_at(0, 8), 174);  // 7.5 away on both sides: 174.6
   EXPECT_GT(wrapped.cost().texels_read, 0u);
