@@ -46,14 +46,19 @@ class EdgeReach {
     }
   }
 
-  bool has_edges(int i, int j) const { return lower_[index(i, j)] != 0; }
+  /// Edges that a way toward (dx, dy), each 1 or -1, comes down over.
+  bool has_edges(int i, int j, int dx, int dy) const {
+    const int ways = neighbour_bit(dx, 0) | neighbour_bit(0, dy) | neighbour_bit(dx, dy);
+    // The texel itself counts for its clamped repetition, whatever the direction.
+    return (lower_[index(i, j)] & ways) != 0 || (goes_on(i, j) && lower_[index(i, j)] != 0);
+  }
 
   uint64_t operator()(int64_t di, int64_t dj, int i, int j, bool turned_x, bool turned_y) const {
     const int lower = lower_[index(i, j)];
     if (di == 0 && dj == 0) {
       // Clamped, the map goes on beside its outermost texels with their own height and edges: the nearest is at a corner.
-      const bool beside_x = clamp_ && (i == 0 || i == width_ - 1),
-                 beside_y = clamp_ && (j == 0 || j == height_ - 1);
+      if (!goes_on(i, j)) return kNoFeature;
+      const bool beside_x = i == 0 || i == width_ - 1, beside_y = j == 0 || j == height_ - 1;
       const bool edges = (beside_x && (lower & (neighbour_bit(0, -1) | neighbour_bit(0, 1))) != 0) ||
                          (beside_y && (lower & (neighbour_bit(-1, 0) | neighbour_bit(1, 0))) != 0);
       return edges ? 2 : kNoFeature;
@@ -72,6 +77,9 @@ class EdgeReach {
   }
 
  private:
+  bool goes_on(int i, int j) const {
+    return clamp_ && (i == 0 || j == 0 || i == width_ - 1 || j == height_ - 1);
+  }
   size_t index(int i, int j) const {
     return static_cast<size_t>(j) * static_cast<size_t>(width_) + static_cast<size_t>(i);
   }
@@ -84,16 +92,18 @@ class EdgeReach {
 /// A byte for every texel. `base(i, j)`: the height from which lines rise; `full_rise`: the rise whose line counts in
 /// tile sides alone.
 template <class Reach, class Base>
-Preprocessed flattest_everywhere(const Pyramid& features, AddressMode mode, int repetitions, Reach reach,
-                                 Base&& base, uint32_t full_rise) {
-  const int width = features.width(0), height = features.height(0);
+Preprocessed flattest_everywhere(const FeaturePyramids& features, AddressMode mode, int repetitions,
+                                 const Reach& reach, Base&& base, uint32_t full_rise) {
+  const int width = features.toward[0]->width(0), height = features.toward[0]->height(0);
   Preprocessed result;
   result.bytes.reserve(static_cast<size_t>(width) * static_cast<size_t>(height));
-  FeatureSearch<Reach> search(features, mode, repetitions, std::move(reach));
+  FeatureSearch<Reach> search(features, mode, repetitions, reach);
+  std::vector<FlattestLine> above(static_cast<size_t>(width));  // of the row above
   for (int j = 0; j < height; ++j) {
     FlattestLine line;
     for (int i = 0; i < width; ++i) {
-      line = search.flattest(i, j, base(i, j), line);
+      FlattestLine& place = above[static_cast<size_t>(i)];
+      line = place = search.flattest(i, j, base(i, j), line.rise != 0 ? line : place);
       result.bytes.push_back(cone_byte(line, std::max(width, height), full_rise));
     }
   }
@@ -101,18 +111,30 @@ Preprocessed flattest_everywhere(const Pyramid& features, AddressMode mode, int 
   return result;
 }
 
-/// The heights of texels with edges (or 1, where `height_counts` is not set); 0 elsewhere: as a max pyramid.
-Pyramid edge_pyramid(const Pyramid& pyramid, const EdgeReach& edges, bool height_counts) {
-  HeightGrid grid{pyramid.width(0), pyramid.height(0), height_counts ? pyramid.bits() : 1, {}};
-  grid.texels.reserve(pyramid_storage(grid.width, grid.height));
-  for (int j = 0; j < grid.height; ++j) {
-    for (int i = 0; i < grid.width; ++i) {
-      const uint16_t value = height_counts ? pyramid.at(0, i, j) : uint16_t{1};
-      grid.texels.push_back(edges.has_edges(i, j) ? value : uint16_t{0});
+/// Max pyramids of the edges, by direction: the heights of texels with edges (or 1, where `height_counts` is not set).
+class EdgePyramids {
+ public:
+  EdgePyramids(const Pyramid& pyramid, const EdgeReach& edges, bool height_counts) {
+    for (int k = 0; k < 4; ++k) {
+      HeightGrid grid{pyramid.width(0), pyramid.height(0), height_counts ? pyramid.bits() : 1, {}};
+      grid.texels.reserve(pyramid_storage(grid.width, grid.height));
+      const int dx = (k & 1) != 0 ? -1 : 1, dy = (k & 2) != 0 ? -1 : 1;
+      for (int j = 0; j < grid.height; ++j) {
+        for (int i = 0; i < grid.width; ++i) {
+          const uint16_t value = height_counts ? pyramid.at(0, i, j) : uint16_t{1};
+          grid.texels.push_back(edges.has_edges(i, j, dx, dy) ? value : uint16_t{0});
+        }
+      }
+      pyramids_.push_back(build_max_pyramid(std::move(grid)));
     }
   }
-  return build_max_pyramid(std::move(grid));
-}
+  FeaturePyramids features() const {
+    return {{&pyramids_[0], &pyramids_[1], &pyramids_[2], &pyramids_[3]}, true};
+  }
+
+ private:
+  std::vector<Pyramid> pyramids_;
+};
 
 /// Reads of making the neighbours' bits.
 uint64_t neighbour_reads(const Pyramid& pyramid) {
@@ -142,26 +164,27 @@ uint8_t cone_byte(const FlattestLine& line, int longer_side, uint32_t full_scale
 }
 
 Preprocessed make_cone_map(const Pyramid& max_pyramid, AddressMode mode) {
+  const FeaturePyramids features{{&max_pyramid, &max_pyramid, &max_pyramid, &max_pyramid}, false};
   return flattest_everywhere(
-      max_pyramid, mode, 1, TexelReach{}, [&](int i, int j) { return max_pyramid.at(0, i, j); },
+      features, mode, 1, TexelReach{}, [&](int i, int j) { return max_pyramid.at(0, i, j); },
       max_pyramid.full_scale());
 }
 
 Preprocessed make_relaxed_cone_map(const Pyramid& max_pyramid, AddressMode mode) {
-  EdgeReach edges(max_pyramid, mode);
-  const Pyramid features = edge_pyramid(max_pyramid, edges, true);
+  const EdgeReach edges(max_pyramid, mode);
+  const EdgePyramids pyramids(max_pyramid, edges, true);
   Preprocessed result = flattest_everywhere(
-      features, mode, edge_repetitions(mode), std::move(edges),
+      pyramids.features(), mode, edge_repetitions(mode), edges,
       [&](int i, int j) { return max_pyramid.at(0, i, j); }, max_pyramid.full_scale());
   result.texels_read += neighbour_reads(max_pyramid);
   return result;
 }
 
 Preprocessed make_safety_radii(const Pyramid& max_pyramid, AddressMode mode) {
-  EdgeReach edges(max_pyramid, mode);
-  const Pyramid features = edge_pyramid(max_pyramid, edges, false);
+  const EdgeReach edges(max_pyramid, mode);
+  const EdgePyramids pyramids(max_pyramid, edges, false);
   Preprocessed result = flattest_everywhere(
-      features, mode, edge_repetitions(mode), std::move(edges), [](int, int) { return 0; }, 1);
+      pyramids.features(), mode, edge_repetitions(mode), edges, [](int, int) { return 0; }, 1);
   result.texels_read += neighbour_reads(max_pyramid);
   return result;
 }
