@@ -30,8 +30,11 @@ HitRecord leaf_walk(const SearchCase& c, const MachineRay& ray, Arithmetic arith
 /// A ray over the map at a grazing angle, from the top.
 MachineRay grazing_ray(Random& random, const SearchCase& c, uint64_t id) {
   const double turn = random.unit() * 6.283185307179586, tangent = 1 / (0.01 + 0.3 * random.unit());
-  MachineRay ray = ray_from(c, random.unit(), random.unit(), 0.3 + 0.7 * random.unit(),
-                            tangent * std::cos(turn), tangent * std::sin(turn), -4 * random.unit() - 0.1);
+  const double spread = c.shape.address_mode == AddressMode::kBorder ? 0.2 : 1;
+  const auto place = [&] { return -spread + random.unit() * (1 + 2 * spread); };
+  const double u = place(), v = place();
+  MachineRay ray = ray_from(c, u, v, 0.3 + 0.7 * random.unit(), tangent * std::cos(turn),
+                            tangent * std::sin(turn), -4 * random.unit() - 0.1);
   ray.id = id;
   return ray;
 }
@@ -146,6 +149,22 @@ TEST(ConeSearch, WithStepsEnoughIsTheLeafWalkBitForBitAndWithFewNeverLaterThanTh
 
 TEST(SafetyRadiusSearch, WithStepsEnoughIsTheLeafWalkBitForBitAndWithFewNeverLaterThanTheTruth) {
   check_guarantee(SearchKind::kSafetyRadius);
+}
+
+TEST(SafetyRadiusSearch, OutsideAClampedMapEveryTexelIsAsked) {
+  // A groove along x, closed at its right end by one texel, which clamping repeats for ever. From far right a ray comes
+  // down on these repetitions and would come out of them again into the groove.
+  HeightGrid grid = flat_grid(12, 3, 8, 200);
+  for (int i = 0; i < 11; ++i) grid.at(i, 1) = 0;
+  const SearchCase c(grid, AddressMode::kClamp, {});
+  const Search search{SearchKind::kSafetyRadius, 64, 0, 64, SearchFilter::kTexel};
+  const SearchMap map(search, c.pyramid, AddressMode::kClamp);
+  ASSERT_EQ(map.added_at(11, 1), 255);  // the groove's end sees no edge but its own
+  const MachineRay ray = ray_from(c, 20.0 / 12, 0.5, 204.0 / 255, -1, 0, -8.0 / 255);
+  const SearchAnswer answer = run_search<double>(c, search, map, ray);
+  EXPECT_EQ(answer.hit.status, HitStatus::kHit);
+  EXPECT_EQ(answer.hit.i, 13);  // 4 LSB down, 6 texels on, at x = 14, from the right
+  EXPECT_EQ(SearchTruth(c, ray).verdict(answer), Verdict::kExact);
 }
 
 }  // namespace
