@@ -61,6 +61,10 @@ constexpr std::array kRatios = {
                     "Node visits of the traversal, over the rays of the trace."},
     RatioDefinition{"rays_hit", "Rays that hit", "fraction", "machine.hits", "machine.rays", 0,
                     "Rays that ended on the surface, over the rays of the trace."},
+    RatioDefinition{
+        "wrong_rays", "Rays that are wrong", "fraction", "error.wrong", "machine.rays", -1,
+        "Rays of a search that missed a hit, hit behind it or hit a wrong cell, over the rays of the "
+        "trace; exact algorithms have none."},
     RatioDefinition{"cycles_per_ray", "Cycles per ray", "cycles/ray", "machine.cycles", "machine.rays", -1,
                     "Machine cycles over the rays of the trace."},
     RatioDefinition{"rays_per_second", "Rays per second", "rays/s", "machine.rays", "machine.seconds", 1,

@@ -35,8 +35,8 @@ struct CycleMachine::Pipeline {
       : hit_queue(m.architecture_.hit_queue.depth),
         writer(m.architecture_.result_writer, write_base, m.pipelines_, p, hit_queue, m.memory_,
                hooks.stalls),
-        hmt(m.make_hmt({m.architecture_, p, m.layout_.size_bytes(), m.order_, *m.source_, m.dispatch_,
-                        m.memory_, hit_queue, writer, m.hits_, m.timing_, m.watchdog_, hooks.stalls, log},
+        hmt(m.make_hmt({m.architecture_, p, m.image_bytes(), m.order_, *m.source_, m.dispatch_, m.memory_,
+                        hit_queue, writer, m.hits_, m.timing_, m.watchdog_, hooks.stalls, log},
                        hooks.waves)) {}
 
   HitQueue hit_queue;
@@ -89,7 +89,7 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
   }
   watchdog_.limit = architecture.machine.no_progress_cycles;
   const uint64_t stripe = Dram(architecture.dram, granule_bytes(architecture)).stripe_bytes();
-  const uint64_t write_base = (layout_.size_bytes() + stripe - 1) / stripe * stripe;
+  const uint64_t write_base = (image_bytes() + stripe - 1) / stripe * stripe;
   pipeline_.resize(static_cast<size_t>(pipelines_));
   if (hooks.port_logs != nullptr) hooks.port_logs->resize(pipeline_.size());
   for (int n = 0; n < pipelines_; ++n) {

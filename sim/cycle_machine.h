@@ -129,6 +129,10 @@ class CycleMachine {
                OutsideMemory* outside);
   std::unique_ptr<HmtUnit> make_hmt(const HmtSite& site, const WaveWindow& waves) const;
   Cycle end_cycle() const;
+  /// Of what the rays read.
+  uint64_t image_bytes() const {
+    return work_.search ? work_.search_map->size_bytes() : layout_.size_bytes();
+  }
   uint16_t target_of(uint32_t pixel) const;
   std::vector<uint16_t> targets() const;
   Outcome outcome(const Workload& work, std::span<const uint32_t> position, bool finished, bool counters_only,

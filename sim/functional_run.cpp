@@ -7,6 +7,7 @@
 #include "models/traversal/traversal.h"
 #include "sim/machine.h"
 #include "sim/outcome.h"
+#include "sim/search_source.h"
 
 namespace cuesta {
 
@@ -72,10 +73,14 @@ Outcome run_functional(const Workload& work, const Architecture& architecture, c
   }
   const NumberFormat format = number_format(architecture.traverse, work.map);
   FetchCounts fetches;
-  outcome.finished_rays = with_traversal_types(
-      architecture.traverse.arithmetic, work.map,
-      [&]<class A, class G>() { return trace_all<A, G>(work, format, progress, outcome.hits, fetches); });
-  if (work.schedule.fetch == FetchRule::kTexel) {
+  if (work.search) {
+    outcome.finished_rays = search_all(work, architecture, progress, outcome.hits, fetches);
+  } else {
+    outcome.finished_rays = with_traversal_types(
+        architecture.traverse.arithmetic, work.map,
+        [&]<class A, class G>() { return trace_all<A, G>(work, format, progress, outcome.hits, fetches); });
+  }
+  if (!work.search && work.schedule.fetch == FetchRule::kTexel) {
     for (const HitRecord& hit : outcome.hits) fetches.add({hit.steps, hit.steps});
   }
   add_hit_measurements(work, outcome.hits, fetches, outcome.measurements);

@@ -64,6 +64,7 @@ void check_planes(Laws& laws, const Measurements& measurements, int pipelines) {
     }
   };
   total("plane.steps", laws.get("machine.steps"));
+  total("plane.wrong", laws.get("error.wrong"));
   total("plane.issue_slots", pipelines * laws.get("machine.cycles"));
   total("plane.l1_misses", measurements.counters.sum("height_l1", "misses"));
   total("plane.dram_read_bytes", laws.get("dram.read_bytes"));
@@ -83,12 +84,12 @@ std::vector<std::string> broken_laws(const Workload& work, const Architecture& a
              laws.get("machine.hits") + laws.get("machine.misses"));
   laws.equal("rays of the trace = hit records", static_cast<int64_t>(work.rays.size()),
              laws.get("machine.rays"));
-  if (work.schedule.fetch == FetchRule::kTexel) {
+  if (!work.search && work.schedule.fetch == FetchRule::kTexel) {
     laws.equal("fetches = steps", laws.get("machine.fetches"), laws.get("machine.steps"));
     laws.equal("fetched texels = steps", laws.get("machine.fetched_texels"), laws.get("machine.steps"));
   }
   laws.equal("bytes without a cache = fetched texels x their bytes", laws.get("machine.texel_bytes"),
-             laws.get("machine.fetched_texels") * work.pyramid->texel_bytes());
+             laws.get("machine.fetched_texels") * work.texel_bytes());
   const int pipelines = fidelity != Fidelity::kFunctional ? architecture.machine.pipelines : 0;
   check_planes(laws, outcome.measurements, pipelines);
   if (fidelity != Fidelity::kFunctional) {

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "models/common/statistics.h"
 #include "models/heightmap/pyramid.h"
+#include "models/search/search_map.h"
 #include "models/traversal/hit.h"
 #include "models/traversal/machine_ray.h"
 #include "models/traversal/schedule.h"
@@ -26,6 +28,13 @@ struct Workload {
   std::span<const uint32_t> pixel_of_ray;  ///< y * width + x, as long as rays
   int width = 0, height = 0;               ///< of the planes
   Schedule schedule;
+  std::optional<Search> search = {};      ///< in the place of the schedule
+  const SearchMap* search_map = nullptr;  ///< what `search` reads in the place of the pyramid's image
+
+  double depth = kUsualDepth;  ///< of the slab, in tile widths: what a search knows of the view's angle
+
+  /// Of what a fetch brings: a texel of the pyramid, or a record of the search's map.
+  int texel_bytes() const { return search ? search_map->record_bytes() : pyramid->texel_bytes(); }
 };
 
 /// Called now and then with rays finished and rays in all; returning false ends the run early.

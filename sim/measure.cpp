@@ -1,5 +1,7 @@
 #include "sim/measure.h"
 
+#include <chrono>
+
 #include "models/common/digest.h"
 #include "models/common/error.h"
 #include "sim/outcome.h"
@@ -59,6 +61,25 @@ const Pyramid& Measurer::pyramid_for(const Algorithm& algorithm) {
   return *stopped_;
 }
 
+const SearchMap& Measurer::search_map_for(const Search& search) {
+  const auto known = search_maps_.find(search.kind);
+  if (known != search_maps_.end()) return known->second;
+  const auto start = std::chrono::steady_clock::now();
+  SearchMap map(search, job_.pyramid, job_.map.address_mode);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  preprocessing_.push_back({std::string(row_of(search).id), time.count()});
+  return search_maps_.emplace(search.kind, std::move(map)).first->second;
+}
+
+void Measurer::judge(const Workload& work, const NumberFormat& format, Arithmetic arithmetic,
+                     Outcome& outcome) {
+  if (!judge_ || !(judge_format_ == format)) {
+    judge_.emplace(work, format);
+    judge_format_ = format;
+  }
+  add_error_measurements(work, judge_->judge(outcome.hits, arithmetic), outcome.measurements);
+}
+
 void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Architecture& architecture,
                                int stop_level, const std::string& run_name) {
   const NumberFormat format = number_format(architecture.traverse, job_.map);
@@ -87,6 +108,11 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
   work.width = job_.trace.width;
   work.height = job_.trace.height;
   work.schedule = algorithm.schedule;
+  if (algorithm.search) {
+    work.search = algorithm.search;
+    work.search_map = &search_map_for(*algorithm.search);
+    work.depth = job_.scene.depth;
+  }
   Outcome outcome = fidelity == Fidelity::kFunctional ? run_functional(work, architecture, progress)
                     : cycle_runner_ ? cycle_runner_(work, job_.trace.rays, architecture, progress)
                                     : run_cycle(work, architecture, progress);
@@ -96,10 +122,12 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
   entry.algorithm = algorithm.id;
   entry.architecture = architecture.name;
   entry.fidelity = name_of(fidelity);
-  entry.machine = facts_of(architecture, fidelity, job_.pyramid.texel_bytes());
+  entry.machine = facts_of(architecture, fidelity, work.texel_bytes());
   entry.finished_rays = outcome.finished_rays;
   entry.all_rays = work.rays.size();
   if (!entry.partial()) {
+    if (work.search)
+      judge(work, number_format(architecture.traverse, job_.map), architecture.traverse.arithmetic, outcome);
     const std::string run_name = entry.algorithm + " on " + entry.architecture;
     const std::vector<std::string> broken = broken_laws(work, architecture, fidelity, outcome);
     if (!broken.empty()) {
@@ -107,7 +135,7 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
                                            entry.fidelity + ") breaks " + std::to_string(broken.size()) +
                                            " of its laws; the first: " + broken.front());
     }
-    check_same_hits(outcome.hits, architecture, work.schedule.stop_level, run_name);
+    if (!work.search) check_same_hits(outcome.hits, architecture, work.schedule.stop_level, run_name);
   }
   entry.measurements = std::move(outcome.measurements);
   entry.hits_digest = std::move(outcome.hits_digest);

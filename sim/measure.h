@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "reports/result.h"
+#include "sim/hit_judge.h"
 #include "sim/job.h"
 #include "sim/machine.h"
 
@@ -31,11 +32,19 @@ class Measurer {
 
   /// The algorithm as algorithm_on(..., architecture) has it; the entry carries that name. Throws usage_error for a stop
   /// level above the map's root.
+  /// A search's hits are held against the true ones: counters error.* and what goes with them.
   /// Throws Error(kMismatch) for a broken law of the accounting, and when exact algorithms disagree: with the same
   /// numbers and leaves, every schedule returns the same hits. Throws input_error for a ray that does not fit the machine's
   /// numbers. Stopped early by `progress`, the entry is partial and only its finished rays count.
   RunEntry run(const Algorithm& named, const Architecture& architecture, Fidelity fidelity,
                const Progress& progress = {});
+
+  /// What was preprocessed for searches, in order, and how long it took.
+  struct Preprocessing {
+    std::string what;
+    double seconds;
+  };
+  std::span<const Preprocessing> preprocessing() const { return preprocessing_; }
 
   /// Digest over the hits without their steps: equal for all exact algorithms with the same numbers.
   static std::string steps_free_digest(const std::vector<HitRecord>& hits);
@@ -47,8 +56,15 @@ class Measurer {
                        const std::string& run_name);
 
   const Pyramid& pyramid_for(const Algorithm& algorithm);
+  const SearchMap& search_map_for(const Search& search);
+  /// How right a search's hits are: counters error.*, histograms and a plane.
+  void judge(const Workload& work, const NumberFormat& format, Arithmetic arithmetic, Outcome& outcome);
 
   const Job& job_;
+  std::map<SearchKind, SearchMap> search_maps_;
+  std::vector<Preprocessing> preprocessing_;
+  std::optional<HitJudge> judge_;  ///< of the numbers of judge_format_
+  NumberFormat judge_format_;
   std::optional<Pyramid> stopped_;  ///< of the last stop level above 0
   CycleRunner cycle_runner_;        ///< empty: run_cycle
   std::vector<std::pair<NumberFormat, std::vector<MachineRay>>> rays_;

@@ -1,6 +1,7 @@
 #include "sim/outcome.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "models/common/digest.h"
 #include "models/common/error.h"
@@ -26,6 +27,7 @@ NumberFormat number_format(const TraverseParameters& traverse, const MapShape& m
 }
 
 Algorithm algorithm_on(const Algorithm& algorithm, const TraverseParameters& traverse) {
+  if (algorithm.search) return algorithm;
   Schedule schedule = algorithm.schedule;
   schedule.start = traverse.start.value_or(schedule.start);
   schedule.down = traverse.down.value_or(schedule.down);
@@ -83,7 +85,7 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
   counters.set("machine.steps", steps);
   counters.set("machine.fetches", fetches.fetches);
   counters.set("machine.fetched_texels", fetches.texels);
-  counters.set("machine.texel_bytes", fetches.texels * work.pyramid->texel_bytes());
+  counters.set("machine.texel_bytes", fetches.texels * work.texel_bytes());
   measurements.histograms.push_back(make_histogram("steps", std::move(per_ray)));
   measurements.plane_width = work.width;
   measurements.plane_height = work.height;
@@ -118,6 +120,34 @@ void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
   }
   add("plane.latency", [&](size_t k) { return timing[k].latency; });
   measurements.planes.back().adds_up = false;
+}
+
+void add_error_measurements(const Workload& work, const Judgement& judgement, Measurements& measurements) {
+  Counters& counters = measurements.counters;
+  const auto count = [&](Verdict verdict) { return judgement.counts.count(verdict); };
+  counters.set("error.exact", count(Verdict::kExact));
+  counters.set("error.tie", count(Verdict::kTie));
+  counters.set("error.missed", count(Verdict::kMissed));
+  counters.set("error.behind", count(Verdict::kBehind));
+  counters.set("error.wrong_cell", count(Verdict::kWrongCell));
+  counters.set("error.wrong", count(Verdict::kMissed) + count(Verdict::kBehind) + count(Verdict::kWrongCell));
+  const PreprocessingCost& cost = work.search_map->cost();
+  counters.set("preprocessing.texels_read", static_cast<int64_t>(cost.texels_read));
+  counters.set("preprocessing.records", static_cast<int64_t>(cost.records_written));
+  counters.set("preprocessing.bytes", static_cast<int64_t>(work.search_map->size_bytes()));
+  const auto add = [&](const char* name, const std::vector<double>& errors) {
+    constexpr double kParts = 256, kMost = 1e15;
+    std::vector<int64_t> parts;
+    parts.reserve(errors.size());
+    for (const double error : errors) parts.push_back(std::llround(std::min(error * kParts, kMost)));
+    measurements.histograms.push_back(make_histogram(name, std::move(parts)));
+  };
+  add("height_error", judgement.height_errors);
+  add("texel_error", judgement.texel_errors);
+  measurements.planes.push_back(plane_of(work, "plane.wrong", [&](size_t k) {
+    const Verdict verdict = judgement.verdicts[k];
+    return verdict != Verdict::kExact && verdict != Verdict::kTie;
+  }));
 }
 
 void add_answer(Digest& digest, const HitRecord& hit) {

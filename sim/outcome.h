@@ -6,6 +6,7 @@
 #include "models/common/digest.h"
 #include "models/memory/memory_port.h"
 #include "models/traversal/traverse_unit.h"
+#include "sim/hit_judge.h"
 #include "sim/machine.h"
 
 namespace cuesta {
@@ -21,6 +22,10 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
 void add_ray_measurements(const Workload& work, std::span<const HitRecord> hits,
                           std::span<const RayTiming> timing, std::span<const MemoryCost> memory,
                           int64_t traverse_cycles, bool dram_inside, Measurements& measurements);
+
+/// How right the hits of a search are: counters error.*, histograms of how far they lie from the true ones, the plane
+/// of wrong rays; and what its map cost to make (preprocessing.*).
+void add_error_measurements(const Workload& work, const Judgement& judgement, Measurements& measurements);
 
 /// A hit record but its steps: what every exact schedule must agree on.
 void add_answer(Digest& digest, const HitRecord& hit);

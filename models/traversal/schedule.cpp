@@ -98,6 +98,21 @@ const std::vector<Algorithm>& rows() {
   return all;
 }
 
+Algorithm algorithm_of(const Search& search) {
+  const SearchRow& row = row_of(search);
+  return {name_of(search),          {},    AlgorithmKind::kSearch, std::string(row.source),
+          std::string(row.meaning), search};
+}
+
+const std::vector<Algorithm>& search_algorithms() {
+  static const std::vector<Algorithm> all = [] {
+    std::vector<Algorithm> list;
+    for (const SearchRow& row : search_rows()) list.push_back(algorithm_of(row.search));
+    return list;
+  }();
+  return all;
+}
+
 size_t published_rows() {
   static const auto count =
       static_cast<size_t>(std::count_if(rows().begin(), rows().end(), [](const Algorithm& row) {
@@ -130,6 +145,7 @@ class ScheduleReader {
     } else if (words_.size() == 1) {
       std::vector<std::string_view> ids;
       for (const Algorithm& row : rows()) ids.push_back(row.id);
+      for (const SearchRow& row : search_rows()) ids.push_back(row.id);
       throw usage_error("There is no algorithm `" + printable(text_) + "`; accepted are " + joined(ids) +
                         ", or a schedule START:DOWN:UP such as span:2:selective-even" +
                         ending(words_[0], ids));
@@ -203,9 +219,13 @@ class ScheduleReader {
 std::span<const Algorithm> algorithms() { return std::span(rows()).first(published_rows()); }
 std::span<const Algorithm> algorithm_parts() { return std::span(rows()).subspan(published_rows()); }
 
+std::span<const Algorithm> searches() { return search_algorithms(); }
+
 const Algorithm* find_algorithm(std::string_view id) {
-  for (const Algorithm& row : rows()) {
-    if (row.id == id) return &row;
+  for (const std::vector<Algorithm>* list : {&rows(), &search_algorithms()}) {
+    for (const Algorithm& row : *list) {
+      if (row.id == id) return &row;
+    }
   }
   return nullptr;
 }
@@ -225,6 +245,7 @@ std::string name_of(const Schedule& schedule) {
 }
 
 Algorithm parse_algorithm(std::string_view text) {
+  if (find_search(text.substr(0, text.find(':'))) != nullptr) return algorithm_of(parse_search(text));
   Schedule schedule = ScheduleReader(text).read();
   if (schedule.start == StartRule::kLeaf)
     schedule.down = 1;  // a descent before the first crossing never happens

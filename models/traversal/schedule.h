@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "models/search/search.h"
 
 namespace cuesta {
 
@@ -48,6 +51,7 @@ enum class AlgorithmKind : uint8_t {
   kPublished,  ///< an algorithm out of the literature
   kPart,       ///< one part of a published one alone, over the root-to-leaf walk of oh2006
   kComposed,   ///< the user's own choices
+  kSearch,     ///< approximate: `search` in the place of the schedule
 };
 
 struct Algorithm {
@@ -56,14 +60,21 @@ struct Algorithm {
   AlgorithmKind kind = AlgorithmKind::kPublished;
   std::string source;   ///< author, year
   std::string meaning;  ///< one sentence
+  std::optional<Search> search = {};
+
+  /// Finds what every exact algorithm finds; an approximate one may miss a hit or misplace it.
+  bool exact() const { return !search; }
 };
 
-/// The published algorithms, `dda` first.
+/// The published exact algorithms, `dda` first.
 std::span<const Algorithm> algorithms();
 /// The parts of yun2013 and yun2013-coherent, each alone: oh2006 with one thing changed.
 std::span<const Algorithm> algorithm_parts();
 
-/// A published algorithm or a part; nullptr when there is none of that name.
+/// The approximate algorithms with their default parameters, in the order of SearchKind.
+std::span<const Algorithm> searches();
+
+/// A published algorithm, a part or a search; nullptr when there is none of that name.
 const Algorithm* find_algorithm(std::string_view id);
 
 /// How a schedule is written, in one line, for messages and lists.
@@ -76,7 +87,7 @@ std::string name_of(const Schedule& schedule);
 
 /// Reads what `name_of` writes, and other spellings of the same: "yun2013", "span:2:selective-even" (which is
 /// yun2013), "root:common:never:stop=2:quad", "oh2006:quad"; from the leaves DOWN never matters and is read as 1. The `id` is the canonical name. Throws usage_error with
-/// what is accepted and the nearest name.
+/// what is accepted and the nearest name. A text whose first word names a search is read by `parse_search`.
 Algorithm parse_algorithm(std::string_view text);
 
 std::string_view name_of(StartRule rule);

@@ -20,7 +20,7 @@ class CompareCommand : public Command {
                    "Scene files, or names of built-in scenes; `default` with --heightmap alone");
     app.add_option("--algorithm", algorithms_,
                    "Several, joined by commas: names out of `cuesta list algorithms`, schedules such as "
-                   "root:common:never:quad, all (default), parts, all+parts")
+                   "root:common:never:quad, all (default: every exact one), parts, searches, all+searches")
         ->allow_extra_args(false);
     app.add_option("--arch", architectures_,
                    "Presets or architecture files, joined by commas; default: mobile")

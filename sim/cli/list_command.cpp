@@ -42,6 +42,23 @@ void add_algorithm_rows(std::span<const Algorithm> algorithms, Rows& rows) {
   }
 }
 
+/// The approximate ones, and how their parameters are given.
+void list_searches() {
+  std::printf(
+      "\nApproximate (`searches`; `all+searches` are all): they may miss or misplace a hit, and a run counts "
+      "how "
+      "often.\n");
+  Rows rows = {{"id", "steps", "least", "refine", "source", "meaning"}};
+  const auto number = [](int value) { return value > 0 ? std::to_string(value) : std::string("-"); };
+  for (const SearchRow& row : search_rows()) {
+    rows.push_back({std::string(row.id), number(row.search.steps), number(row.search.least_steps),
+                    number(row.search.refinements), std::string(row.source), std::string(row.meaning)});
+  }
+  print_rows(rows);
+  std::printf("\nWith other parameters: %s.\nExamples: relief:steps=64:refine=5, cone:bilinear.\n",
+              std::string(kSearchSyntax).c_str());
+}
+
 void list_algorithms() {
   Rows rows = {{"id", "start", "down", "up", "source", "meaning"}};
   add_algorithm_rows(algorithms(), rows);
@@ -69,6 +86,7 @@ void list_algorithms() {
        "a visit fetches its texel, or its 2 x 2 siblings, which the ray keeps"}};
   print_rows(rows);
   std::printf("Examples: root:common:never, span:2:even-axis:stop=2, yun2013:quad.\n");
+  list_searches();
 }
 
 void list_scenes() {

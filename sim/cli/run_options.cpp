@@ -129,11 +129,18 @@ std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names) {
     found.push_back(algorithm);
   };
   for (const std::string& name : parts) {
-    const bool all = name == "all" || name == "all+parts",
-               with_parts = name == "parts" || name == "all+parts";
-    if (all) std::ranges::for_each(algorithms(), add);
-    if (with_parts) std::ranges::for_each(algorithm_parts(), add);
-    if (!all && !with_parts) add(parse_algorithm(name));
+    // "all+parts+searches": several groups, joined by plus signs
+    const std::vector<std::string_view> groups = split(name, '+');
+    const bool grouped = std::ranges::all_of(groups, [](std::string_view group) {
+      return group == "all" || group == "parts" || group == "searches";
+    });
+    if (!grouped) add(parse_algorithm(name));
+    for (size_t k = 0; grouped && k < groups.size(); ++k) {
+      std::ranges::for_each(groups[k] == "all"     ? algorithms()
+                            : groups[k] == "parts" ? algorithm_parts()
+                                                   : searches(),
+                            add);
+    }
   }
   return found;
 }

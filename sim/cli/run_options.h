@@ -36,8 +36,9 @@ Host parse_host(const std::string& name, Fidelity fidelity);
 /// Throws usage_error for angles, depths, sizes and crops out of range.
 SceneChanges scene_changes(const RunOptions& options);
 
-/// Names to algorithms, in order; names may be joined by commas. "all" or nothing: every published one; "parts":
-/// yun2013's parts, each alone; "all+parts"; else as parse_algorithm. Throws usage_error for an unknown or repeated
+/// Names to algorithms, in order; names may be joined by commas. "all" or nothing: every published exact one; "parts":
+/// yun2013's parts, each alone; "searches": every approximate one; "all+parts", "all+searches" ...; else as
+/// parse_algorithm. Throws usage_error for an unknown or repeated
 /// one.
 std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names);
 

@@ -23,6 +23,8 @@ std::string beyond_rtl(const Architecture& a, const Workload& work) {
     return "the map has " + std::to_string(work.map.width) + " x " + std::to_string(work.map.height) +
            " texels; accepted are squares whose side is a power of two.";
   }
+  if (work.search)
+    return "the algorithm is a search, " + name_of(*work.search) + "; accepted are exact algorithms.";
   if (work.schedule.fetch != FetchRule::kTexel) return "traverse.fetch is quad; accepted is texel.";
   if (work.schedule.down == kDownCommon) return "traverse.down is common; accepted are 1, 2, 3.";
   if (a.texels.layout != TexelLayoutKind::kRowMajor && a.texels.layout != TexelLayoutKind::kMorton) {

@@ -77,7 +77,7 @@ Counters all_counters(const RandomMachine& machine, const TickingResult& result)
   counters.set("ray_dispatch.rays", sent);
   counters.set("machine.fetches", counters.get("machine.steps") - kept);
   counters.set("machine.fetched_texels", texels);
-  counters.set("machine.texel_bytes", texels * machine.pyramid.texel_bytes());
+  counters.set("machine.texel_bytes", texels * machine.work().texel_bytes());
   const DramTwin::Counts& dram = result.dram;
   counters.set("dram.reads", dram.reads);
   counters.set("dram.writes", dram.writes);
@@ -174,9 +174,14 @@ TwinRun run_ticking(const RandomMachine& machine, std::vector<int> evaluation_or
     rays.push_back(machine.rays[k]);
     pixels.push_back(machine.pixels[k]);
   }
-  auto values = make_ray_values(architecture, machine.pyramid, machine.map,
-                                number_format(architecture.traverse, machine.map), work.schedule, rays);
-  const uint64_t image_bytes = TexelLayout(architecture.texels.layout, machine.pyramid).size_bytes();
+  const NumberFormat format = number_format(architecture.traverse, machine.map);
+  auto values = machine.search ? make_search_values(architecture.traverse.arithmetic, *machine.search,
+                                                    *machine.search_map, machine.map, format, rays)
+                               : make_ray_values(architecture, machine.pyramid, machine.map, format,
+                                                 work.schedule, rays);
+  const uint64_t image_bytes = machine.search
+                                   ? machine.search_map->size_bytes()
+                                   : TexelLayout(architecture.texels.layout, machine.pyramid).size_bytes();
   const TickingResult result = TickingMachine(architecture, machine.stalls, *values, pixels, machine.width,
                                               image_bytes, std::move(evaluation_order))
                                    .run();

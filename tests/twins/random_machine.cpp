@@ -47,7 +47,19 @@ Workload RandomMachine::work() const {
   work.width = width;
   work.height = height;
   work.schedule = schedule;
+  work.search = search;
+  work.search_map = search_map.get();
   return work;
+}
+
+/// Of a small number of steps, so that rays end.
+Search random_search(Random& random) {
+  Search search = search_rows()[random.below(search_rows().size())].search;
+  if (search.steps > 0) search.steps = static_cast<int>(random.between(1, 40));
+  if (search.least_steps > 0) search.least_steps = static_cast<int>(random.between(1, search.steps));
+  if (row_of(search).refines) search.refinements = static_cast<int>(random.between(0, 8));
+  if (random.chance(0.4)) search.filter = SearchFilter::kBilinear;
+  return search;
 }
 
 RandomMachine random_machine(uint64_t seed, int most_rays) {
@@ -96,13 +108,20 @@ RandomMachine random_machine(uint64_t seed, int most_rays) {
     machine.pixels.push_back(static_cast<uint32_t>(pixel_by_pixel ? k % pixels : random.below(pixels)));
     ++k;
   }
+  if (machine.schedule.stop_level == 0 && random.chance(0.2)) {
+    machine.search = random_search(random);
+    machine.searched = std::make_shared<Pyramid>(machine.pyramid);
+    machine.search_map =
+        std::make_shared<SearchMap>(*machine.search, *machine.searched, machine.map.address_mode);
+  }
   return machine;
 }
 
 std::string describe(const RandomMachine& machine) {
   std::ostringstream text;
-  text << "seed " << machine.seed << ": " << name_of(machine.schedule) << ", map " << machine.map.width
-       << " x " << machine.map.height << ", " << machine.map.bits << " bits, "
+  text << "seed " << machine.seed << ": "
+       << (machine.search ? name_of(*machine.search) : name_of(machine.schedule)) << ", map "
+       << machine.map.width << " x " << machine.map.height << ", " << machine.map.bits << " bits, "
        << name_of(machine.map.address_mode) << ", " << machine.rays.size() << " rays on " << machine.width
        << " x " << machine.height << " pixels\nstalls per mille:";
   if (machine.stalled) {

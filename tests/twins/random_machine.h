@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,9 @@ struct RandomMachine {
   Pyramid pyramid;
   MapShape map;
   Schedule schedule;
+  std::optional<Search> search;  ///< in the place of the schedule
+  std::shared_ptr<const Pyramid> searched;  ///< `pyramid`, in a place that does not change
+  std::shared_ptr<const SearchMap> search_map;
   std::vector<MachineRay> rays;
   std::vector<uint32_t> pixels;
   int width = 1, height = 1;
@@ -29,7 +34,7 @@ struct RandomMachine {
 };
 
 /// Everything follows from the seed: 1 to 4 pipelines; queues, caches and limits down to 1; clock ratios; any
-/// schedule, arithmetic, order and layout; a map of at most 64 x 64; at most `most_rays` rays, now
+/// schedule or search, arithmetic, order and layout; a map of at most 64 x 64; at most `most_rays` rays, now
 /// and then 12 times as many, now and then none.
 RandomMachine random_machine(uint64_t seed, int most_rays);
 

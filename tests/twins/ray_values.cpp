@@ -1,6 +1,10 @@
 #include "tests/twins/ray_values.h"
 
+#include <map>
+#include <utility>
 #include <vector>
+
+#include "models/search/search_walk.h"
 
 namespace cuesta::twins {
 namespace {
@@ -61,6 +65,55 @@ class TypedRayValues final : public RayValues {
   std::vector<Node> kept_;  ///< level and half the indices of the siblings fetched last
 };
 
+/// Replays what a ray's search has told.
+template <class Real>
+class SearchRayValues final : public RayValues {
+ public:
+  SearchRayValues(Arithmetic arithmetic, const Search& search, const SearchMap& search_map,
+                  const MapShape& map, const NumberFormat& format, std::span<const MachineRay> rays)
+      : arithmetic_(arithmetic),
+        searcher_(search, search_map, map, format),
+        rays_(rays),
+        told_(rays.size()),
+        done_(rays.size(), 0) {}
+
+  Visit start(int ray) override {
+    records_[ray] = searcher_.trace(rays_[ray], arithmetic_, told_[ray]);
+    return told_[ray].steps.empty() ? end_of(ray) : Visit::kContinue;
+  }
+  std::vector<uint64_t> addresses(int ray) const override { return told_[ray].steps[done_[ray]].offsets; }
+  int compute_slots(int ray) const override { return told_[ray].steps[done_[ray]].compute; }
+  Visit step(int ray) override {
+    return ++done_[ray] == told_[ray].steps.size() ? end_of(ray) : Visit::kContinue;
+  }
+  HitRecord record(int ray) const override { return records_.at(ray); }
+
+ private:
+  struct Step {
+    std::vector<uint64_t> offsets;
+    int compute = 0;
+  };
+  struct Told {
+    std::vector<Step> steps;
+    Step now;
+    void read(uint64_t offset) { now.offsets.push_back(offset); }
+    void compute() { ++now.compute; }
+    void end_step() { steps.push_back(std::exchange(now, {})); }
+  };
+  /// A ray without a step takes the slot of a dead one, hit or not.
+  Visit end_of(int ray) const {
+    const bool hit = records_.at(ray).status == HitStatus::kHit && !told_[ray].steps.empty();
+    return hit ? Visit::kHit : Visit::kMiss;
+  }
+
+  Arithmetic arithmetic_;
+  Searcher<Real> searcher_;
+  std::span<const MachineRay> rays_;
+  std::vector<Told> told_;
+  std::vector<size_t> done_;
+  std::map<int, HitRecord> records_;
+};
+
 }  // namespace
 
 std::unique_ptr<RayValues> make_ray_values(const Architecture& architecture, const Pyramid& pyramid,
@@ -71,6 +124,15 @@ std::unique_ptr<RayValues> make_ray_values(const Architecture& architecture, con
                                 return std::make_unique<TypedRayValues<A, G>>(
                                     architecture.texels.layout, pyramid, map, format, schedule, rays);
                               });
+}
+
+std::unique_ptr<RayValues> make_search_values(Arithmetic arithmetic, const Search& search,
+                                              const SearchMap& search_map, const MapShape& map,
+                                              const NumberFormat& format, std::span<const MachineRay> rays) {
+  if (arithmetic == Arithmetic::kDouble) {
+    return std::make_unique<SearchRayValues<double>>(arithmetic, search, search_map, map, format, rays);
+  }
+  return std::make_unique<SearchRayValues<float>>(arithmetic, search, search_map, map, format, rays);
 }
 
 }  // namespace cuesta::twins

@@ -6,6 +6,7 @@
 
 #include "models/architecture.h"
 #include "models/heightmap/pyramid.h"
+#include "models/search/search_map.h"
 #include "models/traversal/hit.h"
 #include "models/traversal/traversal.h"
 
@@ -31,5 +32,10 @@ class RayValues {
 std::unique_ptr<RayValues> make_ray_values(const Architecture& architecture, const Pyramid& pyramid,
                                            const MapShape& map, const NumberFormat& format,
                                            const Schedule& schedule, std::span<const MachineRay> rays);
+
+/// Of a search, whose steps are asked for when a ray starts.
+std::unique_ptr<RayValues> make_search_values(Arithmetic arithmetic, const Search& search,
+                                              const SearchMap& search_map, const MapShape& map,
+                                              const NumberFormat& format, std::span<const MachineRay> rays);
 
 }  // namespace cuesta::twins
