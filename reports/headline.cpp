@@ -38,15 +38,23 @@ struct Best {
   size_t compared = 0;
 };
 
-/// Of the runs on the level of detail of the group's first run: others see other heights.
+bool approximate(const RunEntry& run) { return quantity(run, "error.wrong").has_value(); }
+
+bool all_approximate(const Result& result, const RunGroup& group) {
+  return std::all_of(group.runs.begin(), group.runs.end(),
+                     [&](size_t index) { return approximate(result.runs[index]); });
+}
+
+/// Of the exact runs, where there are some, on the level of detail of the group's first run: others see other heights.
 Best fewest(const Result& result, const RunGroup& group, std::string_view name) {
   Best best;
   double least = 0;
+  const bool any = all_approximate(result, group);
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
     if (level_of_detail(run) != level_of_detail(result.runs[group.runs.front()])) continue;
     const auto value = number(run, name);
-    if (!value || run.partial()) continue;
+    if (!value || run.partial() || (!any && approximate(run))) continue;
     ++best.compared;
     if (best.run == nullptr || *value < least) {
       best.run = &run;
@@ -81,6 +89,34 @@ std::string figures(const Result& result, const RunGroup& group, const Best& bes
     text += fmt::format(", the fewest of {}", best.compared);
   }
   return text;
+}
+
+/// The approximate run with the fewest wrong rays, beside the best exact one.
+std::string about_searches(const Result& result, const RunGroup& group) {
+  const RunEntry* closest = nullptr;
+  size_t searches = 0;
+  for (size_t index : group.runs) {
+    const RunEntry& run = result.runs[index];
+    if (run.partial() || !approximate(run)) continue;
+    ++searches;
+    if (closest == nullptr || ratio(run, "wrong_rays") < ratio(*closest, "wrong_rays")) closest = &run;
+  }
+  if (closest == nullptr) return "";
+  const double wrong = ratio(*closest, "wrong_rays").value_or(0);
+  std::string text =
+      searches == 1
+          ? fmt::format(" On {} {} is approximate: {} of its rays are wrong", group.scene,
+                        label_of(result, *closest), readable(wrong, "fraction"))
+          : fmt::format(" Of the {} approximate searches on {} {} comes closest: {} of its rays are wrong",
+                        searches, group.scene, label_of(result, *closest), readable(wrong, "fraction"));
+  const std::string_view name = timed(result, group) ? "machine.cycles" : "steps_per_ray";
+  const Best best = fewest(result, group, name);
+  const auto value = number(*closest, name);
+  if (best.run != nullptr && !approximate(*best.run) && value && *number(*best.run, name) > 0) {
+    text += fmt::format(", at {} times the {} of {}", significant(*value / *number(*best.run, name)),
+                        name == "machine.cycles" ? "cycles" : "steps", label_of(result, *best.run));
+  }
+  return text + ".";
 }
 
 /// One sentence for neighbouring scenes with the same winner.
@@ -128,6 +164,7 @@ std::string headline(const Result& result) {
   const std::vector<RunGroup> groups = group_by_scene(result);
   std::string text = about_scenes(result, groups);
   for (const RunGroup& group : groups) {
+    text += about_searches(result, group);
     const std::string_view level = level_of_detail(result.runs[group.runs.front()]);
     const auto elsewhere = std::count_if(group.runs.begin(), group.runs.end(), [&](size_t index) {
       return level_of_detail(result.runs[index]) != level;

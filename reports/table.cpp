@@ -15,17 +15,18 @@ namespace {
 struct Column {
   const char* name;
   const char* heading;
-  const char* unit;     ///< second line of the heading
-  const char* against;  ///< not "": the change of that number against the baseline
+  const char* unit;          ///< second line of the heading
+  const char* against;       ///< not "": the change of that number against the baseline
+  const char* absent = "-";  ///< for runs without the number, where others have it
 };
 
 constexpr Column kColumns[] = {
-    {"steps_per_ray", "steps", "/ray", ""},        {"", "", "vs oh2006", "steps_per_ray"},
-    {"machine.cycles", "cycles", "", ""},          {"", "", "vs oh2006", "machine.cycles"},
-    {"rays_per_second", "rays", "/s", ""},         {"frames_per_second", "frames", "/s", ""},
-    {"step_utilisation", "slots", "stepping", ""}, {"l1_hit_rate", "L1", "hit rate", ""},
-    {"dram.bytes", "DRAM", "bytes", ""},           {"dram_bytes_per_ray", "bytes", "/ray", ""},
-    {"dram_utilisation", "DRAM", "peak used", ""},
+    {"wrong_rays", "wrong", "rays", "", "exact"}, {"steps_per_ray", "steps", "/ray", ""},
+    {"", "", "vs oh2006", "steps_per_ray"},       {"machine.cycles", "cycles", "", ""},
+    {"", "", "vs oh2006", "machine.cycles"},      {"rays_per_second", "rays", "/s", ""},
+    {"frames_per_second", "frames", "/s", ""},    {"step_utilisation", "slots", "stepping", ""},
+    {"l1_hit_rate", "L1", "hit rate", ""},        {"dram.bytes", "DRAM", "bytes", ""},
+    {"dram_bytes_per_ray", "bytes", "/ray", ""},  {"dram_utilisation", "DRAM", "peak used", ""},
 };
 
 std::string text_of(const Result& result, const RunEntry& run, const Column& column) {
@@ -64,7 +65,7 @@ std::string block(const Result& result, const RunGroup& group) {
     for (size_t index : group.runs) {
       cells.push_back(text_of(result, result.runs[index], column));
       some = some || !cells.back().empty();
-      if (cells.back().empty()) cells.back() = "-";
+      if (cells.back().empty()) cells.back() = column.absent;
     }
     if (some) columns.push_back(cells);
   }

@@ -24,6 +24,7 @@ struct Column {
 constexpr Column kColumns[] = {
     {"Work", "steps_per_ray", "steps / ray", -1, true},
     {"Work", "rays_hit", "rays that hit", 0, false},
+    {"Work", "wrong_rays", "rays wrong", -1, false},
     {"Time", "machine.cycles", "cycles", -1, true},
     {"Time", "cycles_per_ray", "cycles / ray", -1, false},
     {"Time", "rays_per_second", "rays / s", 1, false},
