@@ -25,10 +25,17 @@ HitJudge::HitJudge(const Workload& work, const NumberFormat& format) : work_(wor
   architecture.traverse.direction_bits = format.direction_bits;
   architecture.traverse.mantissa_bits = format.mantissa_bits;
   architecture.traverse.tile_bits = format.tile_bits;
+  const Pyramid& pyramid = *work_.pyramid;
+  map_.values = pyramid.level(0);
+  map_.width = pyramid.width(0);
+  map_.height = pyramid.height(0);
+  map_.highest = pyramid.highest();
+  map_.shape = work_.map;
+  exact_.resize(work_.rays.size());
   truth_ = run_functional(work_, architecture).hits;
 }
 
-double HitJudge::time_of(const HitRecord& hit, Arithmetic arithmetic) const {
+double HitJudge::time_of(const HitRecord& hit, Arithmetic arithmetic) {
   const double unit = DoubleArithmetic::format(work_.map, format_).unit_of_time;
   switch (arithmetic) {
     case Arithmetic::kFloat:
@@ -41,14 +48,22 @@ double HitJudge::time_of(const HitRecord& hit, Arithmetic arithmetic) const {
   return static_cast<double>(hit.t);
 }
 
-Judgement HitJudge::judge(std::span<const HitRecord> hits, Arithmetic arithmetic) const {
-  const Pyramid& pyramid = *work_.pyramid;
-  OracleMap map;
-  map.values = pyramid.level(0);
-  map.width = pyramid.width(0);
-  map.height = pyramid.height(0);
-  map.highest = pyramid.highest();
-  map.shape = work_.map;
+double HitJudge::depth_of(size_t ray, const HitRecord& hit, Arithmetic arithmetic) const {
+  if (hit.status != HitStatus::kHit) return 1;
+  const MachineRay& input = work_.rays[ray];
+  const double unit = DoubleArithmetic::format(work_.map, format_).unit_of_time;
+  const double start =
+      static_cast<double>(input.z0) / static_cast<double>(int64_t{1} << format_.fraction_bits);
+  const double height = start + time_of(hit, arithmetic) * unit * static_cast<double>(input.dz);
+  return 1 - height / static_cast<double>(work_.map.full_scale());
+}
+
+const OracleHit<Int128>& HitJudge::exact_hit(size_t ray, const ExactRay<Int128>& exact) {
+  if (!exact_[ray]) exact_[ray] = oracle_leaf_walk(exact, map_);
+  return *exact_[ray];
+}
+
+Judgement HitJudge::judge(std::span<const HitRecord> hits, Arithmetic arithmetic) {
   const double unit = DoubleArithmetic::format(work_.map, format_).unit_of_time;
 
   Judgement judgement;
@@ -60,7 +75,7 @@ Judgement HitJudge::judge(std::span<const HitRecord> hits, Arithmetic arithmetic
     Verdict verdict = Verdict::kExact;
     if (!same_answer(hit, truth_[k])) {
       const ExactRay<Int128> exact = exact_ray(ray, work_.map, format_, OracleInput::kMachineInput);
-      verdict = cuesta::judge(exact, map, oracle_leaf_walk(exact, map),
+      verdict = cuesta::judge(exact, map_, exact_hit(k, exact),
                               {is_hit, hit.i, hit.j, is_hit ? time_of(hit, arithmetic) : 0.0});
     }
     judgement.verdicts.push_back(verdict);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,18 +28,23 @@ class HitJudge {
 
   /// `hits`: one per ray, all finished, with times as `arithmetic` has them. A ray whose cell the walk in double finds as
   /// well is exact (verify oracle holds that walk against exact arithmetic); every other ray is judged by the oracle.
-  Judgement judge(std::span<const HitRecord> hits, Arithmetic arithmetic) const;
+  Judgement judge(std::span<const HitRecord> hits, Arithmetic arithmetic);
 
   /// The true hits, in double.
   std::span<const HitRecord> truth() const { return truth_; }
+  /// How far down the slab a hit lies, 0 where rays enter to 1 at the ground; 1 for a ray that misses. Descending rays.
+  double depth_of(size_t ray, const HitRecord& hit, Arithmetic arithmetic) const;
 
  private:
   /// In machine time units.
   double time_of(const HitRecord& hit, Arithmetic arithmetic) const;
+  const OracleHit<Int128>& exact_hit(size_t ray, const ExactRay<Int128>& exact);
 
   Workload work_;
   NumberFormat format_;
+  OracleMap map_;
   std::vector<HitRecord> truth_;
+  std::vector<std::optional<OracleHit<Int128>>> exact_;  ///< per ray, once it was asked for
 };
 
 }  // namespace cuesta

@@ -31,7 +31,7 @@ struct Workload {
   std::optional<Search> search = {};      ///< in the place of the schedule
   const SearchMap* search_map = nullptr;  ///< what `search` reads in the place of the pyramid's image
 
-  double depth = kUsualDepth;  ///< of the slab, in tile widths: what a search knows of the view's angle
+  double depth = 0.1;  ///< of the slab, in tile widths: what a search knows of the view's angle
 
   /// Of what a fetch brings: a texel of the pyramid, or a record of the search's map.
   int texel_bytes() const { return search ? search_map->record_bytes() : pyramid->texel_bytes(); }
@@ -56,6 +56,7 @@ Outcome run_functional(const Workload& work, const Architecture& architecture, c
 Outcome run_cycle(const Workload& work, const Architecture& architecture, const Progress& progress = {});
 
 /// The algorithm with what the architecture's [traverse] section says of its schedule; its id is the canonical name.
+/// Throws usage_error where that section speaks of a schedule and the algorithm is a search.
 Algorithm algorithm_on(const Algorithm& algorithm, const TraverseParameters& traverse);
 /// The same of several, in order, those left out that have become the same schedule as an earlier one.
 std::vector<Algorithm> distinct_on(const Architecture& architecture, std::span<const Algorithm> algorithms);

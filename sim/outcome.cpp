@@ -27,7 +27,15 @@ NumberFormat number_format(const TraverseParameters& traverse, const MapShape& m
 }
 
 Algorithm algorithm_on(const Algorithm& algorithm, const TraverseParameters& traverse) {
-  if (algorithm.search) return algorithm;
+  if (algorithm.search) {
+    if (traverse.start || traverse.down || traverse.up || traverse.stop_level || traverse.fetch) {
+      throw usage_error(
+          "The architecture's [traverse] section sets parts of a schedule (start, down, up, "
+          "stop_level or fetch), and " +
+          algorithm.id + " is a search, which has none; accepted with it are exact algorithms.");
+    }
+    return algorithm;
+  }
   Schedule schedule = algorithm.schedule;
   schedule.start = traverse.start.value_or(schedule.start);
   schedule.down = traverse.down.value_or(schedule.down);

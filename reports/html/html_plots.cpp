@@ -144,8 +144,8 @@ std::string histogram_plot(const Result& result, const RunGroup& group, const st
 std::string number_plots(const Result& result, const RunGroup& group, ShownNames& shown) {
   if (group.runs.size() < 2) return "";  // the table says it all
   std::string plots;
-  for (const char* name : {"steps_per_ray", "cycles_per_ray", "dram_bytes_per_ray", "l1_hit_rate",
-                           "step_utilisation", "frames_per_second"}) {
+  for (const char* name : {"steps_per_ray", "cycles_per_ray", "wrong_rays", "dram_bytes_per_ray",
+                           "l1_hit_rate", "step_utilisation", "frames_per_second"}) {
     plots += number_plot(result, group, *find_ratio(name), shown);
   }
   return plots.empty() ? "" : "<div class=\"grid\">" + plots + "</div>";
@@ -171,7 +171,8 @@ std::string scene_plots(const Result& result, ShownNames& shown) {
     if (std::find(labels.begin(), labels.end(), label) == labels.end()) labels.push_back(label);
   }
   std::string plots;
-  for (const char* name : {"steps_per_ray", "cycles_per_ray", "dram_bytes_per_ray", "l1_hit_rate"}) {
+  for (const char* name :
+       {"steps_per_ray", "cycles_per_ray", "wrong_rays", "dram_bytes_per_ray", "l1_hit_rate"}) {
     const RatioDefinition& definition = *find_ratio(name);
     LinePlot plot;
     plot.title = defined(name, definition.heading, shown);

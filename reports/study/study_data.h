@@ -35,6 +35,13 @@ struct StudyCase {
   std::vector<int64_t> values;  ///< as long as the counters
 };
 
+/// A picture that belongs to a study.
+struct StudyPicture {
+  std::string name;     ///< of its file, without .png
+  std::string caption;  ///< a sentence or two
+  std::string png;
+};
+
 /// A published study: what was varied, under which conditions, and what was counted. Integers only, so that the same
 /// study gives the same bytes everywhere; ratios are computed when read. Every page is made from this alone.
 struct StudyData {
@@ -44,8 +51,9 @@ struct StudyData {
   std::vector<std::string> conditions;  ///< sentences: what holds for every case
   std::vector<StudyAxis> axes;
   std::vector<StudyCounter> counters;
-  std::vector<StudyCase> cases;  ///< finished ones, by place: the last axis runs fastest
-  uint64_t planned = 0;          ///< cases of the plan; more than `cases`: partial
+  std::vector<StudyCase> cases;        ///< finished ones, by place: the last axis runs fastest
+  uint64_t planned = 0;                ///< cases of the plan; more than `cases`: partial
+  std::vector<StudyPicture> pictures;  ///< in files of their own beside data.json, not in it
 
   bool partial() const { return cases.size() < planned; }
 };

@@ -9,6 +9,9 @@ namespace cuesta {
 // Each page is one self-contained HTML file made from the data alone; each headline the sentence on its top. Every
 // number on them is computed from the data or printed in the literature, and says which.
 
+std::string accuracy_headline(const StudyData& data);
+std::string accuracy_page(const StudyData& data);
+
 std::string iterations_headline(const StudyData& data);
 std::string iterations_page(const StudyData& data);
 

@@ -25,8 +25,10 @@ std::string study_readme(const StudyData& data, const std::string& headline) {
       "\n| file | what is in it |\n|---|---|\n"
       "| `data.json` | the source of truth: conditions, axes, what is counted, every case |\n"
       "| `data.csv` | the same cases, a row each |\n"
-      "| `report.html` | the page, made from the data alone; asks the network for nothing |\n"
-      "| `manifest.json` | version, commit, compiler, and under `environment` host and times |\n";
+      "| `report.html` | the page, made from the data alone; asks the network for nothing |\n";
+  for (const StudyPicture& picture : data.pictures)
+    text += "| `" + picture.name + ".png` | " + picture.caption + " |\n";
+  text += "| `manifest.json` | version, commit, compiler, and under `environment` host and times |\n";
   return text;
 }
 

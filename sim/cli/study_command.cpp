@@ -40,7 +40,7 @@ class StudyCommand : public Command {
     Result manifest = begin_result("study", session);
     manifest.manifest.seeds.emplace_back("maps", "1");
     ResultFolder folder = ResultFolder::create(folder_, force_);
-    const StudyData data = measured(study, session);
+    StudyData data = measured(study, session);
     if (data.cases.empty()) {
       throw Error(ExitCode::kIncomplete, "Stopped before the first case was finished; nothing is kept.");
     }
@@ -50,6 +50,8 @@ class StudyCommand : public Command {
     std::snprintf(wall, sizeof wall, "%.1f", seconds.count());
     manifest.manifest.environment.emplace_back("wall_seconds", wall);
     manifest.manifest.environment.emplace_back("workers", std::to_string(workers_));
+    if (study.pictures != nullptr) data.pictures = study.pictures(quick_);
+    for (const StudyPicture& picture : data.pictures) folder.write(picture.name + ".png", picture.png);
     const std::string headline = study.headline(data);
     folder.write("data.json", study_json(data));
     folder.write("data.csv", study_csv(data));

@@ -1,6 +1,8 @@
 #include "models/common/error.h"
 #include "models/common/words.h"
 #include "reports/study/study_pages.h"
+#include "sim/study/accuracy.h"
+#include "sim/study/accuracy_pictures.h"
 #include "sim/study/bandwidth.h"
 #include "sim/study/iterations.h"
 #include "sim/study/study.h"
@@ -13,6 +15,8 @@ constexpr Study kStudies[] = {
      iterations_headline},
     {"bandwidth", bandwidth_plan, 2, bandwidth_planned, make_bandwidth_bench, bandwidth_page,
      bandwidth_headline},
+    {"accuracy", accuracy_plan, 2, nullptr, make_accuracy_bench, accuracy_page, accuracy_headline,
+     accuracy_pictures},
 };
 
 }  // namespace

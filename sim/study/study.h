@@ -29,6 +29,7 @@ struct Study {
   std::unique_ptr<StudyBench> (*make_bench)(const StudyData& plan, std::span<const uint16_t> shared_place);
   std::string (*page)(const StudyData& data);      ///< the page, from the data alone
   std::string (*headline)(const StudyData& data);  ///< one sentence: what an architect takes away
+  std::vector<StudyPicture> (*pictures)(bool quick) = nullptr;  ///< nullptr: none
 };
 
 std::span<const Study> studies();

@@ -140,7 +140,15 @@ Workload ViewBench::work_at(const StudyPlace& place, const Architecture& archite
   work.pixel_of_ray = pixels_;
   work.width = kWidth;
   work.height = kHeight;
-  work.schedule = parse_algorithm(value(place, "algorithm")).schedule;
+  const Algorithm algorithm = parse_algorithm(value(place, "algorithm"));
+  work.schedule = algorithm.schedule;
+  work.depth = number_at(plan_, place, "depth");
+  if (algorithm.search) {
+    work.search = algorithm.search;
+    work.search_map =
+        &search_maps_.try_emplace(algorithm.search->kind, *algorithm.search, pyramid_, map_.address_mode)
+             .first->second;
+  }
   return work;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -62,6 +63,7 @@ class ViewBench : public StudyBench {
  private:
   const std::vector<MachineRay>& rays_at(const StudyPlace& place, const NumberFormat& format);
 
+  std::map<SearchKind, SearchMap> search_maps_;
   std::vector<MachineRay> rays_;
   std::string view_;  ///< depth and angle of rays_
   std::string hits_digest_, first_algorithm_;

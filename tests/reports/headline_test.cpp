@@ -32,6 +32,19 @@ TEST(Headline, NamesTheFewestCyclesAgainstOh2006) {
             "steps).");
 }
 
+TEST(Headline, KeepsApproximateRunsOutOfTheRaceAndNamesTheClosest) {
+  Result result = result_of({run_of("oh2006", 1000, 2000), run_of("yun2013", 600, 1500),
+                             run_of("parallax", 100, 300), run_of("relief", 10700, 12000)});
+  result.runs[2].measurements.counters.set("error.wrong", 60);
+  result.runs[3].measurements.counters.set("error.wrong", 2);
+  EXPECT_EQ(headline(result),
+            "yun2013 needed the fewest cycles on rocks: 1,500 cycles, 25.0 % fewer than oh2006 (40.0 % fewer "
+            "steps). "
+            "Of the 2 approximate searches on rocks relief comes closest: 2.00 % of its rays are wrong, at "
+            "8.00 times "
+            "the cycles of yun2013.");
+}
+
 TEST(Headline, CountsStepsWhereThereIsNoTime) {
   const Result result = result_of({run_of("oh2006", 1000, 0), run_of("yun2013", 600, 0)});
   EXPECT_EQ(headline(result),

@@ -49,6 +49,88 @@ TEST(Measurer, BothFidelitiesFindTheSameHitsAndFetchesInEveryModeWithEverySchedu
   }
 }
 
+TEST(Measurer, SearchesReadAndFindTheSameInBothFidelitiesAndEveryRayHasOneVerdict) {
+  for (const AddressMode mode : kModes) {
+    const Job job = job_on(48, 64, mode);
+    Measurer measurer(job);
+    for (const Algorithm& named : searches()) {
+      for (const char* ending : {"", ":bilinear"}) {
+        const Algorithm search = parse_algorithm(named.id + ending);
+        const Architecture machine;
+        const RunEntry plain = measurer.run(search, machine, Fidelity::kFunctional);
+        const RunEntry timed = measurer.run(search, machine, Fidelity::kCycle);
+        EXPECT_EQ(plain.hits_digest, timed.hits_digest) << search.id;
+        const Counters &a = plain.measurements.counters, &b = timed.measurements.counters;
+        for (const char* counter : {"machine.steps", "machine.fetches", "machine.fetched_texels",
+                                    "machine.texel_bytes", "error.exact", "error.wrong"}) {
+          EXPECT_EQ(a.get(counter), b.get(counter)) << search.id << " " << counter;
+        }
+        EXPECT_EQ(a.get("machine.rays"), a.get("error.exact") + a.get("error.tie") + a.get("error.wrong"));
+        EXPECT_EQ(a.get("error.wrong"),
+                  a.get("error.missed") + a.get("error.behind") + a.get("error.wrong_cell"));
+        EXPECT_EQ(b.get("preprocessing.bytes"), job.map.width * job.map.height * timed.machine.texel_bytes *
+                                                    (named.id == "distance" ? 16 : 1));
+      }
+    }
+  }
+}
+
+TEST(Measurer, ASearchWithManyStepsIsRarelyWrongAndWithFewOften) {
+  const Job job = job_on(64, 64, AddressMode::kWrap);
+  Measurer measurer(job);
+  const auto wrong = [&](const char* search) {
+    return measurer.run(parse_algorithm(search), {}, Fidelity::kFunctional)
+        .measurements.counters.get("error.wrong");
+  };
+  const int64_t few = wrong("steep:steps=4"), many = wrong("steep:steps=4096");
+  EXPECT_GT(few, 100);
+  EXPECT_LT(many, few / 4);
+}
+
+TEST(Measurer, AScheduleAskedOfASearchIsRefused) {
+  const Job job = job_on(16, 16, AddressMode::kWrap);
+  Measurer measurer(job);
+  Architecture machine;
+  machine.traverse.fetch = FetchRule::kQuad;
+  EXPECT_THROW(measurer.run(parse_algorithm("relief"), machine, Fidelity::kFunctional), Error);
+}
+
+TEST(HitJudge, KnowsTheTruthAndWhatLiesBeforeBehindAndBeside) {
+  const Job job = job_on(64, 64, AddressMode::kWrap);
+  const Architecture machine;
+  const NumberFormat format = number_format(machine.traverse, job.map);
+  std::vector<MachineRay> rays;
+  for (const TracedRay& ray : job.trace.rays) rays.push_back(quantise(ray, job.map, format));
+  Workload work;
+  work.pyramid = &job.pyramid;
+  work.map = job.map;
+  work.rays = rays;
+  work.pixel_of_ray = job.pixel_of_ray;
+  work.width = job.trace.width;
+  work.height = job.trace.height;
+  const std::vector<HitRecord> truth = run_functional(work, machine).hits;
+  HitJudge judge(work, format);
+  const Judgement right = judge.judge(truth, Arithmetic::kFixed);
+  EXPECT_EQ(right.counts.count(Verdict::kExact) + right.counts.count(Verdict::kTie), 300);
+  for (const double error : right.height_errors) EXPECT_LT(error, 0.1);
+
+  std::vector<HitRecord> missed = truth, behind = truth, before = truth;
+  int64_t hits = 0;
+  for (size_t k = 0; k < truth.size(); ++k) {
+    if (truth[k].status != HitStatus::kHit) continue;
+    ++hits;
+    missed[k] = {};
+    behind[k].i += 3;
+    behind[k].t += behind[k].t / 8 + (int64_t{1} << 20);
+    before[k].i += 3;
+    before[k].t = 0;
+  }
+  ASSERT_GT(hits, 100);
+  EXPECT_EQ(judge.judge(missed, Arithmetic::kFixed).counts.count(Verdict::kMissed), hits);
+  EXPECT_GT(judge.judge(behind, Arithmetic::kFixed).counts.count(Verdict::kBehind), hits * 9 / 10);
+  EXPECT_GT(judge.judge(before, Arithmetic::kFixed).counts.count(Verdict::kWrongCell), hits * 9 / 10);
+}
+
 TEST(Measurer, QuadsLeaveHitsAndStepsAndSaveFetchesUnlessEveryCrossingGoesUp) {
   // In border mode: a ray that crosses from tile to tile on the root, the only one there, keeps it.
   const Job job = job_on(64, 64, AddressMode::kBorder);

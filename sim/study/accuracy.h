@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "sim/study/study.h"
+
+namespace cuesta {
+
+/// How wrong is each algorithm, and what does being right cost in steps, cycles and bytes?
+StudyData accuracy_plan(bool quick);
+std::unique_ptr<StudyBench> make_accuracy_bench(const StudyData& plan,
+                                                std::span<const uint16_t> size_and_map);
+
+}  // namespace cuesta
