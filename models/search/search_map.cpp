@@ -1,6 +1,7 @@
 #include "models/search/search_map.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -70,6 +71,7 @@ SearchMap::SearchMap(const Search& search, const Pyramid& max_pyramid, AddressMo
     default:
       return;  // the height grid itself
   }
+  record_bytes_ = static_cast<int>(std::bit_ceil(static_cast<unsigned>(record_bytes_)));
   cost_.records_written = texels() * static_cast<uint64_t>(layers_);
   cost_.bytes = cost_.texels_read * texel_bytes + size_bytes();
 }

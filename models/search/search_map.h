@@ -24,7 +24,8 @@ struct PreprocessingCost {
 inline constexpr int kConeScale = 255;
 inline constexpr int kDistanceLayers = 16;  ///< Donnelly 2005
 
-/// What a search reads: one record per texel, row by row: the height, little-endian, in 1 or 2 bytes as the machine
+/// What a search reads: one record per texel, row by row, of 1, 2 or 4 bytes so that none lies in two lines (ours): the
+/// height, little-endian, in 1 or 2 bytes as the machine
 /// stores it, then what the kind adds (all of it one byte, unsigned):
 ///   cone, relaxed-cone   a ratio, rounded down: (byte / 255)^2 longer tile sides of reach per full scale of height
 ///   safety-radius        a radius, rounded down: (byte / 255)^2 longer tile sides

@@ -46,7 +46,7 @@ TEST_F(OnFlat64, NormalStaysAtTheEntryWithoutAStep) {
   EXPECT_EQ(answer.hit.i, 8);
   EXPECT_EQ(answer.hit.j, 8);
   EXPECT_EQ(answer.hit.t, 0);
-  EXPECT_EQ(map.record_bytes(), 3);
+  EXPECT_EQ(map.record_bytes(), 4);
   EXPECT_EQ(int{map.normal_at(3, 3)[0]}, 128);  // straight up
   EXPECT_EQ(int{map.normal_at(3, 3)[2]}, 255);
 }
