@@ -35,7 +35,7 @@ HitJudge::HitJudge(const Workload& work, const NumberFormat& format) : work_(wor
   truth_ = run_functional(work_, architecture).hits;
 }
 
-double HitJudge::time_of(const HitRecord& hit, Arithmetic arithmetic) {
+double HitJudge::time_of(const HitRecord& hit, Arithmetic arithmetic) const {
   const double unit = DoubleArithmetic::format(work_.map, format_).unit_of_time;
   switch (arithmetic) {
     case Arithmetic::kFloat:
