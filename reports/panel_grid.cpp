@@ -7,7 +7,7 @@
 namespace cuesta {
 namespace {
 
-constexpr int kGap = 10, kLine = 22, kText = 2;
+constexpr int kGap = 10, kLine = 22, kWide = 300;
 constexpr uint8_t kPaper = kPanelEmpty + 1, kInk = kPanelEmpty + 2;
 
 uint8_t shade(double position) {
@@ -35,6 +35,7 @@ uint8_t panel_grey(double position) { return static_cast<uint8_t>(kPanelShades +
 
 Picture panel_picture(const PanelGrid& grid) {
   const int columns = static_cast<int>(grid.columns.size()), rows = static_cast<int>(grid.rows.size());
+  const int text = grid.width >= kWide ? 2 : 1;
   Picture picture{kGap + columns * (grid.width + kGap),
                   kLine + kGap + rows * (grid.height + kLine + kGap),
                   panel_palette(),
@@ -42,11 +43,11 @@ Picture panel_picture(const PanelGrid& grid) {
   picture.pixels.assign(static_cast<size_t>(picture.width) * static_cast<size_t>(picture.height), kPaper);
   for (int c = 0; c < columns; ++c) {
     draw_text(picture, kGap + c * (grid.width + kGap), kGap, grid.columns[static_cast<size_t>(c)], kInk,
-              kText);
+              text);
   }
   for (int r = 0; r < rows; ++r) {
     const int top = kGap + kLine + r * (grid.height + kLine + kGap);
-    draw_text(picture, kGap, top, grid.rows[static_cast<size_t>(r)], kInk, kText);
+    draw_text(picture, kGap, top, grid.rows[static_cast<size_t>(r)], kInk, text);
     for (int c = 0; c < columns; ++c) {
       const std::vector<uint8_t>& panel = grid.panels[static_cast<size_t>(r)][static_cast<size_t>(c)];
       for (int y = 0; y < grid.height; ++y) {

@@ -63,7 +63,7 @@ class Painter {
     SceneChanges changes;
     changes.angle_degrees = subject.angle_degrees;
     changes.depth = subject.depth;
-    changes.size = quick ? std::pair{80, 60} : std::pair{320, 240};
+    changes.size = quick ? std::pair{160, 120} : std::pair{320, 240};
     job_ = prepare_job(subject.scene, changes);
     const NumberFormat format = number_format(architecture_.traverse, job_.map);
     for (const TracedRay& ray : job_.trace.rays) rays_.push_back(quantise(ray, job_.map, format));

@@ -40,7 +40,7 @@ TEST(Headline, KeepsApproximateRunsOutOfTheRaceAndNamesTheClosest) {
   EXPECT_EQ(headline(result),
             "yun2013 needed the fewest cycles on rocks: 1,500 cycles, 25.0 % fewer than oh2006 (40.0 % fewer "
             "steps). "
-            "Of the 2 approximate searches on rocks relief comes closest: 2.00 % of its rays are wrong, at "
+            "Of the 2 approximate searches on rocks relief comes closest: 2.0 % of its rays are wrong, at "
             "8.00 times "
             "the cycles of yun2013.");
 }
