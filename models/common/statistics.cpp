@@ -108,7 +108,8 @@ constexpr StatisticDefinition kDefinitions[] = {
      "Cycles of the unit: slots used, empty slots and standstills add up to them."},
     {"traverse.hits", "rays", "Completed rays that hit."},
     {"traverse.kept_steps", "steps",
-     "Of the steps, those that read nothing: with fetch = quad, since the ray had kept the siblings."},
+     "Of the steps, those that read nothing: with fetch = quad, since the ray had kept the siblings; in "
+     "a search, a last division."},
     {"traverse.line_accesses", "accesses",
      "Lines read for steps: one for each, or as many as the quad's or sample's texels lie in, none for a "
      "kept "

@@ -27,7 +27,7 @@ enum class Refine : uint8_t {
   kNone,    ///< the first sample under the surface
   kSecant,  ///< where the chords of ray and surface between the last two samples meet: one division, a slot without memory
   kBinary,  ///< `refinements` halvings, each one sample; the last sample that lay under
-  kSecants,  ///< `refinements` times a secant (a slot without memory) and a sample there, which replaces one end
+  kSecants,  ///< `refinements` times a secant (a slot without memory) and a sample there, one step; it replaces one end
 };
 enum class Unfound : uint8_t { kMiss, kEntry, kBottom };
 
@@ -136,7 +136,6 @@ SearchFound<Real> linear_search(const Search& search, const SearchRay<Real>& ray
       Real under_t = t, under_gap = gap;
       for (int secant = 0; secant < search.refinements; ++secant) {
         sink.compute();
-        sink.end_step();
         t = before_t + before_gap / (before_gap - under_gap) * (under_t - before_t);
         const SearchPoint<Real> point = ray.point(t);
         const Real height = surface.height(point, sink);

@@ -18,7 +18,8 @@ namespace cuesta {
 /// One search over one map. `Real` is float (also where the machine's arithmetic is fixed) or double; sqrt is the only
 /// function of the library that is called.
 ///
-/// A step is one sample of the surface (its records are read: 1, or 4 filtered) or one slot of arithmetic without memory:
+/// A step is one sample of the surface (its records are read: 1, or 4 filtered), before which a division takes a slot of
+/// arithmetic without memory; or such a slot alone, where no sample follows it:
 ///   normal              no step: the hit is the entry point. Ours in form.
 ///   parallax            1 sample at the entry, then straight to where the ray has that height (Kaneko et al. 2001,
 ///                       printed: uv + h V.xy / V.z, h counted from the plane that the eye sees).
@@ -40,7 +41,7 @@ class Searcher {
         depth_(depth) {}
 
   /// `sink`: read(offset) for each record of the step, compute() for a slot without memory, end_step() after each step;
-  /// a step is one or more reads or one compute. HitRecord: `i`, `j` the cell of the found point in the map's own
+  /// a step is one or more reads, one compute, or a compute and then reads. HitRecord: `i`, `j` the cell of the found point in the map's own
   /// frame, unwrapped; `t` in the unit of `times`; `steps` the calls of end_step().
   template <class Sink>
   HitRecord trace(const MachineRay& input, Arithmetic times, Sink& sink) const {

@@ -15,8 +15,6 @@ constexpr Study kStudies[] = {
      iterations_headline},
     {"bandwidth", bandwidth_plan, 2, bandwidth_planned, make_bandwidth_bench, bandwidth_page,
      bandwidth_headline},
-    {"accuracy", accuracy_plan, 2, nullptr, make_accuracy_bench, accuracy_page, accuracy_headline,
-     accuracy_pictures},
 };
 
 }  // namespace

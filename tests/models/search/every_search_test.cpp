@@ -16,7 +16,7 @@ void expect_sound(const SearchCase& c, const Search& search, const SearchMap& ma
                             std::to_string(c.shape.height) + " " +
                             std::string(name_of(c.shape.address_mode)) + ": " + describe(ray);
   EXPECT_EQ(answer.hit.steps, answer.sink.steps.size()) << where;
-  EXPECT_LE(answer.hit.steps, static_cast<uint32_t>(1 + search.steps + 1 + 2 * search.refinements)) << where;
+  EXPECT_LE(answer.hit.steps, static_cast<uint32_t>(1 + search.steps + 1 + search.refinements)) << where;
   if (answer.hit.status != HitStatus::kHit) {
     HitRecord miss;
     miss.ray_id = ray.id;
