@@ -49,9 +49,10 @@ std::optional<ExactTime<Int>> first_touch(const ExactRay<Int>& ray, const Oracle
 }
 
 /// Is `answer` the first hit when touching counts or edges are closed on the other side? An answer may pass an
-/// earlier touch, as the oracle's own convention does.
+/// earlier touch, as the oracle's own convention does. `truth`: the leaf walk's.
 template <class Int>
-bool is_tie(const ExactRay<Int>& ray, const OracleMap& map, const JudgedAnswer& answer) {
+bool is_tie(const ExactRay<Int>& ray, const OracleMap& map, const OracleHit<Int>& truth,
+            const JudgedAnswer& answer) {
   std::optional<ExactTime<Int>> touch;
   if (answer.hit) {
     const MapShape& shape = map.shape;
@@ -63,10 +64,12 @@ bool is_tie(const ExactRay<Int>& ray, const OracleMap& map, const JudgedAnswer& 
         oracle_span_of_node(answer.j, ray.y.sign < 0, shape.height, map.level, shape.address_mode));
   }
   for (int sides = 0; sides < 4; ++sides) {
+    // Only a ray that does not move along an axis can tell on which side its edges are closed.
+    if (((sides & 1) != 0 && ray.x.sign != 0) || ((sides & 2) != 0 && ray.y.sign != 0)) continue;
     ExactRay<Int> other = ray;
     if (sides & 1) other.x = closed_above(ray.x);
     if (sides & 2) other.y = closed_above(ray.y);
-    const OracleHit<Int> found = oracle_leaf_walk(other, map);
+    const OracleHit<Int> found = sides == 0 ? truth : oracle_leaf_walk(other, map);
     if (found.hit == answer.hit && (!found.hit || (found.i == answer.i && found.j == answer.j))) return true;
     if (touch && (!found.hit || *touch <= found.t)) return true;
   }
@@ -79,7 +82,7 @@ Verdict judge(const ExactRay<Int>& ray, const OracleMap& map, const OracleHit<In
   if (truth.hit == answer.hit && (!truth.hit || (truth.i == answer.i && truth.j == answer.j))) {
     return Verdict::kExact;
   }
-  if (!ray.dead && is_tie(ray, map, answer)) return Verdict::kTie;
+  if (!ray.dead && is_tie(ray, map, truth, answer)) return Verdict::kTie;
   if (!answer.hit) return Verdict::kMissed;
   if (truth.hit && answer.t > ray.in_machine_units(truth.t)) return Verdict::kBehind;
   return Verdict::kWrongCell;

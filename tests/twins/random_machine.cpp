@@ -108,7 +108,7 @@ RandomMachine random_machine(uint64_t seed, int most_rays) {
     machine.pixels.push_back(static_cast<uint32_t>(pixel_by_pixel ? k % pixels : random.below(pixels)));
     ++k;
   }
-  if (machine.schedule.stop_level == 0 && random.chance(0.2)) {
+  if (machine.schedule.stop_level == 0 && random.chance(0.3)) {
     machine.search = random_search(random);
     machine.searched = std::make_shared<Pyramid>(machine.pyramid);
     machine.search_map =
