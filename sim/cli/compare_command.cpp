@@ -111,6 +111,7 @@ class CompareCommand : public Command {
                          [&](uint64_t finished, uint64_t) { return bar.update(finished); }));
       }
     }
+    add_preprocessing(session, measurer, result);
   }
 
   std::vector<std::string> scenes_, algorithms_, architectures_;

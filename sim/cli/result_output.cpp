@@ -112,6 +112,17 @@ void add_inputs(const std::vector<ResolvedArchitecture>& machines, Result& resul
   }
 }
 
+void add_preprocessing(const Session& session, const Measurer& measurer, Result& result) {
+  constexpr double kLong = 1;
+  for (const Measurer::Preprocessing& one : measurer.preprocessing()) {
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.3f", one.seconds);
+    result.manifest.environment.emplace_back("preprocessing_seconds." + one.what, seconds);
+    if (session.quiet || one.seconds < kLong) continue;
+    std::fprintf(stderr, "The map that %s reads took %s s to make.\n", one.what.c_str(), seconds);
+  }
+}
+
 void remark_inputs(const Session& session, const Job& job,
                    const std::vector<ResolvedArchitecture>& machines) {
   if (session.quiet) return;

@@ -7,6 +7,7 @@
 #include "reports/result.h"
 #include "reports/result_folder.h"
 #include "sim/cli/run_options.h"
+#include "sim/measure.h"
 
 namespace cuesta {
 
@@ -20,6 +21,9 @@ Result begin_result(const std::string& command, const Session& session);
 /// Takes over what a job has read, without repeating an input.
 void add_inputs(const Job& job, Result& result);
 void add_inputs(const std::vector<ResolvedArchitecture>& machines, Result& result);
+
+/// How long the maps took that searches read: into the manifest, and on stderr where it was long.
+void add_preprocessing(const Session& session, const Measurer& measurer, Result& result);
 
 /// Says on stderr what is about to run: rays, heights, and what a file gives that no run uses.
 void remark_inputs(const Session& session, const Job& job, const std::vector<ResolvedArchitecture>& machines);

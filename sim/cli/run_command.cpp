@@ -62,6 +62,7 @@ class RunCommand : public Command {
       result.runs.push_back(measurer.run(algorithms[0], machines[0].architecture, fidelity,
                                          [&](uint64_t finished, uint64_t) { return bar.update(finished); }));
     }
+    add_preprocessing(session, measurer, result);
     return finish_result(result, 1, machines, fidelity, folder, options_, start);
   }
 

@@ -1,0 +1,56 @@
+#include "tests/sim/cli_fixture.h"
+
+namespace cuesta {
+namespace {
+
+using Searches = CommandLine;
+
+TEST_F(Searches, StandBesideExactAlgorithmsWithTheShareOfTheirWrongRays) {
+  const ProgramResult result =
+      cuesta({"compare", "default", "--size", "32", "--algorithm", "yun2013,parallax,cone", "-o", "r", "-q"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  for (const char* part :
+       {"wrong", "yun2013", "exact", "parallax", " %", "approximate searches on default"}) {
+    EXPECT_NE(result.out.find(part), std::string::npos) << part << "\n" << result.out;
+  }
+  const std::string json = read("r/result.json");
+  for (const char* part : {"\"error.missed\"", "\"preprocessing.texels_read\"",
+                           "\"traverse[0].slots_compute\"", "\"height_error\"", "\"plane.wrong\""}) {
+    EXPECT_NE(json.find(part), std::string::npos) << part;
+  }
+  EXPECT_NE(read("r/manifest.json").find("preprocessing_seconds.cone"), std::string::npos);
+}
+
+TEST_F(Searches, GiveTheSameHitsAtBothFidelities) {
+  const auto digest = [&](const char* fidelity) {
+    const ProgramResult result = cuesta({"run", "default", "--size", "32", "--algorithm",
+                                         "relief:steps=20:bilinear", "--fidelity", fidelity, "--json", "-q"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const size_t at = result.out.find("\"hits_digest\"");
+    return at == std::string::npos ? std::string() : result.out.substr(at, 90);
+  };
+  const std::string functional = digest("functional");
+  EXPECT_GT(functional.size(), 80u);
+  EXPECT_EQ(functional, digest("cycle"));
+}
+
+TEST_F(Searches, WhereTheyCannotGoTheyAreRefused) {
+  const struct {
+    Words words;
+    const char* part;
+  } cases[] = {
+      {{"--algorithm", "relief", "--fidelity", "rtl"}, "search"},
+      {{"--algorithm", "cone", "--host", "systemc"}, "accepted with it are exact algorithms"},
+      {{"--algorithm", "steep", "--set", "traverse.up=always"}, "which has none"},
+      {{"--algorithm", "relief:steps=0"}, "`steps=0` is not an ending of relief"},
+      {{"--algorithm", "relif"}, "did you mean `relief`?"},
+  };
+  for (const auto& [words, part] : cases) {
+    Words all = {"run", "default", "--size", "16", "-q"};
+    all.insert(all.end(), words.begin(), words.end());
+    expect_refusal(cuesta(all), 2, part, words[1]);
+  }
+}
+
+}  // namespace
+}  // namespace cuesta
