@@ -22,7 +22,8 @@ std::string about_one_run(const Result& result, const RunEntry& run) {
   if (run.partial()) text += fmt::format(" of {} (partial)", grouped(static_cast<int64_t>(run.all_rays)));
   text += " on " + run.scene;
   if (const auto cycles = quantity(run, "machine.cycles"))
-    text += " in " + grouped(static_cast<int64_t>(*cycles)) + " cycles";
+    text += (run.fidelity == "transaction" ? " in an estimated " : " in ") +
+            grouped(static_cast<int64_t>(*cycles)) + " cycles";
   std::vector<std::string> parts;
   if (const auto steps = ratio(run, "steps_per_ray")) parts.push_back(significant(*steps) + " steps per ray");
   if (const auto cycles = ratio(run, "cycles_per_ray"))

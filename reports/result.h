@@ -36,7 +36,7 @@ struct RunEntry {
   std::string scene;  ///< short names, as `list` and the files call them
   std::string algorithm;
   std::string architecture;
-  std::string fidelity;  ///< "functional", "cycle"
+  std::string fidelity;  ///< "functional", "transaction", "cycle", "rtl"
   MachineFacts machine;
   Measurements measurements;
   std::string hits_digest;  ///< 64 hexadecimal digits

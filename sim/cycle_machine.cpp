@@ -8,6 +8,7 @@
 #include "models/memory/dram.h"
 #include "models/output/hit_queue.h"
 #include "models/output/result_writer.h"
+#include "models/traversal/run_ahead_traverse.h"
 #include "sim/outcome.h"
 #include "sim/rtl/choose_set.h"
 #include "sim/traversal_source.h"
@@ -37,7 +38,7 @@ struct CycleMachine::Pipeline {
                hooks.stalls),
         hmt(m.make_hmt({m.architecture_, p, m.image_bytes(), m.order_, *m.source_, m.dispatch_, m.memory_,
                         hit_queue, writer, m.hits_, m.timing_, m.watchdog_, hooks.stalls, log},
-                       hooks.waves)) {}
+                       hooks)) {}
 
   HitQueue hit_queue;
   ResultWriter writer;
@@ -103,8 +104,10 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
 
 CycleMachine::~CycleMachine() = default;
 
-std::unique_ptr<HmtUnit> CycleMachine::make_hmt(const HmtSite& site, const WaveWindow& waves) const {
-  if (!rtl_) return std::make_unique<HmtModel>(site);
+std::unique_ptr<HmtUnit> CycleMachine::make_hmt(const HmtSite& site, const CycleHooks& hooks) const {
+  if (hooks.loosely_timed) return std::make_unique<HmtModel<RunAheadTraverse>>(site);
+  if (!rtl_) return std::make_unique<HmtModel<TraverseUnit>>(site);
+  const WaveWindow& waves = hooks.waves;
   std::unique_ptr<rtl::RtlUnit> unit = architecture_.units.hmt_top == Implementation::kRtl
                                            ? rtl::make_hmt_top_unit(*rtl_, site)
                                            : rtl::make_traverse_unit(*rtl_, site);

@@ -30,6 +30,7 @@ struct WaveWindow {
 struct CycleHooks {
   const PortStalls* stalls = nullptr;  ///< back-pressure on the ports
   bool counters_only = false;  ///< no histograms, planes and digests: what a benchmark of the machine times
+  bool loosely_timed = false;  ///< RunAheadTraverse in traverse's place (fidelity transaction)
   bool reverse_construction = false;          ///< build the pipelines last to first: must change nothing
   std::vector<PortLog>* port_logs = nullptr;  ///< one per pipeline, resized to that; must outlive the machine
   WaveWindow waves = {};
@@ -127,7 +128,7 @@ class CycleMachine {
 
   CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks,
                OutsideMemory* outside);
-  std::unique_ptr<HmtUnit> make_hmt(const HmtSite& site, const WaveWindow& waves) const;
+  std::unique_ptr<HmtUnit> make_hmt(const HmtSite& site, const CycleHooks& hooks) const;
   Cycle end_cycle() const;
   /// Of what the rays read.
   uint64_t image_bytes() const {

@@ -17,8 +17,9 @@
 
 namespace cuesta {
 
-/// kRtl: kCycle with the hardware in the place of ray_setup, traverse and height_l1 (units.hmt_top).
-enum class Fidelity : uint8_t { kFunctional, kCycle, kRtl };
+/// kTransaction: kCycle with rays that run ahead of time; its cycles are an estimate. kRtl: kCycle with the hardware in
+/// the place of ray_setup, traverse and height_l1 (units.hmt_top).
+enum class Fidelity : uint8_t { kFunctional, kTransaction, kCycle, kRtl };
 
 /// One run's work: rays in the order of the trace.
 struct Workload {
@@ -51,6 +52,13 @@ struct Outcome {
 
 /// Hits, steps, texel fetches; no time.
 Outcome run_functional(const Workload& work, const Architecture& architecture, const Progress& progress = {});
+
+/// Every unit in time, traverse loosely: a transaction is a run of steps that find their lines in height_l1
+/// (models/traversal/run_ahead_traverse.h). Hits, steps and addresses are those of the other fidelities; the order in
+/// which height_l1 is asked, and with it traffic and machine.cycles, is nearly that of run_cycle. The same counters,
+/// planes and laws. Throws usage_error for units in hardware, and Error(kNoProgress) as run_cycle.
+Outcome run_transaction(const Workload& work, const Architecture& architecture,
+                        const Progress& progress = {});
 
 /// Every cycle of every unit. Throws Error(kNoProgress) with each queue's fill and who waits for whom.
 Outcome run_cycle(const Workload& work, const Architecture& architecture, const Progress& progress = {});

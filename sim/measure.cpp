@@ -24,7 +24,7 @@ MachineFacts facts_of(const Architecture& a, Fidelity fidelity, int texel_bytes)
 }  // namespace
 
 std::string_view name_of(Fidelity fidelity) {
-  constexpr std::string_view kNames[] = {"functional", "cycle", "rtl"};
+  constexpr std::string_view kNames[] = {"functional", "transaction", "cycle", "rtl"};
   return kNames[static_cast<size_t>(fidelity)];
 }
 
@@ -113,7 +113,8 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
     work.search_map = &search_map_for(*algorithm.search);
     work.depth = job_.scene.depth;
   }
-  Outcome outcome = fidelity == Fidelity::kFunctional ? run_functional(work, architecture, progress)
+  Outcome outcome = fidelity == Fidelity::kFunctional    ? run_functional(work, architecture, progress)
+                    : fidelity == Fidelity::kTransaction ? run_transaction(work, architecture, progress)
                     : cycle_runner_ ? cycle_runner_(work, job_.trace.rays, architecture, progress)
                                     : run_cycle(work, architecture, progress);
 

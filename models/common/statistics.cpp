@@ -55,7 +55,9 @@ constexpr StatisticDefinition kDefinitions[] = {
     {"hit_queue.waited_cycles", "record cycles", "Sum over records of the cycles from push to pop."},
     {"latency", "cycles", "Histogram over rays of the cycles from dispatch to completion."},
     {"machine.cycles", "cycles",
-     "Cycles from reset to the acknowledgement of the last burst written; cold caches."},
+     "Cycles from reset to the acknowledgement of the last burst written; cold caches. With fidelity "
+     "transaction an "
+     "estimate: every unit in time, but rays look up the lines of up to 32 steps ahead of it."},
     {"machine.dead_rays", "rays", "Rays that missed at set-up, with no step: outside the slab or the map."},
     {"machine.fetched_texels", "texels",
      "Texels that the fetches brought: one each, or with fetch = quad the 2 x 2 siblings as far as the level "

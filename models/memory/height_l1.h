@@ -86,6 +86,16 @@ class HeightL1 final : public MemoryClient {
     return miss(line, first, context, ray, cycle);
   }
 
+  /// A lookup ahead of time, for a step of `cycle`: false, and nothing is counted, where the line is not there now.
+  bool touch(uint32_t line, Cycle cycle) {
+    const uint32_t hit = find(line, (line & set_mask_) * ways_);
+    if (hit == kNoLine) return false;
+    used_[hit] = cycle + 1;
+    ++counts_.accesses;
+    ++counts_.hits;
+    return true;
+  }
+
   /// Lets the fills land whose cycle is below `cycle`.
   void land_before(Cycle cycle) {
     while (next_landing_ < cycle) land_one();

@@ -56,7 +56,8 @@ class HmtUnit {
   virtual std::string who_waits() const = 0;
 };
 
-/// The model's own units.
+/// The model's own units; `Traverse`: TraverseUnit, or RunAheadTraverse, which is loosely timed.
+template <class Traverse>
 class HmtModel final : public HmtUnit {
  public:
   explicit HmtModel(const HmtSite& site)
@@ -89,7 +90,7 @@ class HmtModel final : public HmtUnit {
  private:
   HeightL1 l1_;
   RaySetupUnit setup_;
-  TraverseUnit traverse_;
+  Traverse traverse_;
 };
 
 }  // namespace cuesta

@@ -104,7 +104,7 @@ class TraverseUnit {
   /// Fill of every queue and who waits for whom, for the watchdog's message.
   std::string who_waits() const;
 
- private:
+ protected:
   struct Context {
     RaySteps steps;        ///< still to do
     uint32_t ray;          ///< position in the machine's order

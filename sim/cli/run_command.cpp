@@ -38,6 +38,10 @@ class RunCommand : public Command {
     const Fidelity fidelity = parse_fidelity(options_.fidelity);
     waves_.check();
     const Host host = parse_host(options_.host, fidelity);
+    if (waves_.wanted() && (fidelity == Fidelity::kFunctional || fidelity == Fidelity::kTransaction)) {
+      throw usage_error("--waves shows the hardware cycle by cycle, and --fidelity " + options_.fidelity +
+                        " has none; accepted with it are --fidelity cycle, rtl.");
+    }
     const auto algorithms = parse_algorithms({algorithm_});
     const auto machines = parse_architectures({architecture_}, options_.settings, fidelity);
     if (algorithms.size() != 1 || machines.size() != 1) {

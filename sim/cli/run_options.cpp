@@ -10,10 +10,12 @@
 namespace cuesta {
 
 void RunOptions::declare(CLI::App& app) {
-  app.add_option(
-         "--fidelity", fidelity,
-         "functional (hits and steps, no time), cycle (every cycle of every unit), or rtl (cycle with the "
-         "hardware, Verilated, in the place of its units: units.hmt_top)")
+  app.add_option("--fidelity", fidelity,
+                 "functional (hits and steps, no time), transaction (cycles and traffic estimated, rays "
+                 "running ahead of "
+                 "time), cycle (every cycle of every unit), or rtl (cycle with the hardware, Verilated, in "
+                 "the place of its "
+                 "units: units.hmt_top)")
       ->capture_default_str();
   app.add_option(
          "--host", host,
@@ -38,13 +40,9 @@ void RunOptions::declare(CLI::App& app) {
 }
 
 Fidelity parse_fidelity(const std::string& name) {
-  static constexpr std::string_view kNames[] = {"functional", "cycle", "rtl"};
+  static constexpr std::string_view kNames[] = {"functional", "transaction", "cycle", "rtl"};
   for (size_t k = 0; k < std::size(kNames); ++k) {
     if (name == kNames[k]) return static_cast<Fidelity>(k);
-  }
-  if (name == "transaction") {
-    throw usage_error("--fidelity transaction is not available in this version; accepted are " +
-                      joined(kNames) + ".");
   }
   const std::string near = did_you_mean(name, kNames);
   throw usage_error("There is no fidelity `" + printable(name) + "`; accepted are " + joined(kNames) +
@@ -59,10 +57,11 @@ Host parse_host(const std::string& name, Fidelity fidelity) {
     throw usage_error("There is no host `" + printable(name) + "`; accepted are direct, systemc" +
                       (near.empty() ? "." : near));
   }
-  if (fidelity == Fidelity::kFunctional) {
+  if (fidelity == Fidelity::kFunctional || fidelity == Fidelity::kTransaction) {
     throw usage_error("--host systemc runs the machine in time, and --fidelity " +
                       std::string(name_of(fidelity)) +
-                      " has none; accepted with it are --fidelity cycle, rtl.");
+                      (fidelity == Fidelity::kFunctional ? " has none" : " runs ahead of it") +
+                      "; accepted with it are --fidelity cycle, rtl.");
   }
   return Host::kSystemC;
 }

@@ -37,7 +37,7 @@ class VerifyLawsCommand : public Command {
     }
     const auto resolved = parse_architectures(machines, {}, Fidelity::kCycle);
 
-    const uint64_t planned = scenes.size() * resolved.size() * algorithms().size() * 2;
+    const uint64_t planned = scenes.size() * resolved.size() * algorithms().size() * 3;
     uint64_t runs = 0, rays = 0;
     {
       ProgressBar bar(session, "laws", "runs", planned);
@@ -52,19 +52,21 @@ class VerifyLawsCommand : public Command {
             if (!bar.update(runs)) return stopped(runs, planned);
             const RunEntry plain = measurer.run(algorithm, machine.architecture, Fidelity::kFunctional);
             const RunEntry timed = measurer.run(algorithm, machine.architecture, Fidelity::kCycle);
-            if (plain.hits_digest != timed.hits_digest) {
+            const RunEntry loose = measurer.run(algorithm, machine.architecture, Fidelity::kTransaction);
+            if (plain.hits_digest != timed.hits_digest || plain.hits_digest != loose.hits_digest) {
               throw Error(ExitCode::kMismatch,
-                          "functional and cycle fidelity differ in hits or steps: " + plain.algorithm +
-                              " on " + plain.architecture + ", scene " + plain.scene + ".");
+                          "functional, transaction and cycle fidelity differ in hits or steps: " +
+                              plain.algorithm + " on " + plain.architecture + ", scene " + plain.scene + ".");
             }
-            runs += 2;
-            rays += plain.all_rays + timed.all_rays;
+            runs += 3;
+            rays += plain.all_rays + timed.all_rays + loose.all_rays;
           }
         }
       }
     }
     std::printf(
-        "%llu runs over %llu rays (%zu scenes, %zu machines, %zu algorithms, functional and cycle): 0 broken "
+        "%llu runs over %llu rays (%zu scenes, %zu machines, %zu algorithms, functional, transaction and "
+        "cycle): 0 broken "
         "laws, "
         "0 different hits.\n",
         static_cast<unsigned long long>(runs), static_cast<unsigned long long>(rays), scenes.size(),

@@ -1,0 +1,20 @@
+#include "models/common/error.h"
+#include "sim/cycle_machine.h"
+#include "sim/rtl/choose_set.h"
+
+namespace cuesta {
+
+Outcome run_transaction(const Workload& work, const Architecture& architecture, const Progress& progress) {
+  if (rtl::has_rtl(architecture)) {
+    throw usage_error(
+        "units." + std::string(architecture.units.hmt_top == Implementation::kRtl ? "hmt_top" : "traverse") +
+        " = \"rtl\" is hardware, which ticks every cycle, and fidelity transaction leaves cycles out; "
+        "accepted "
+        "with it is \"model\", or --fidelity cycle.");
+  }
+  CycleHooks hooks;
+  hooks.loosely_timed = true;
+  return run_cycle_detailed(work, architecture, progress, hooks, nullptr);
+}
+
+}  // namespace cuesta
