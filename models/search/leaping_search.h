@@ -183,11 +183,12 @@ SearchFound<Real> safety_radius_search(const Search& search, const SearchRay<Rea
 }
 
 /// Cones and radii over the filtered surface, where neither is safe (printed of cones: EGSR 2024), and relaxed cones, which
-/// are not on either: the cone stands under the ray, as published.
-///   cone, safety-radius  the next texel border at the least (the smallest step of implementations at hand); a sample
-///                        under the surface ends the search, the radius's then halves the last leap
-///   relaxed-cone         Policarpo & Oliveira 2007, reconstructed: leaps without a smallest step, then `refinements`
-///                        halvings between the last place above the surface and the last one reached
+/// are not on either. A sample under the surface ends the search.
+///   cone           the cone stands under the ray and there is no smallest step, as published: the ray nears the surface
+///                  without reaching it, and stops short of it when the steps are used up
+///   relaxed-cone   Policarpo & Oliveira 2007, reconstructed: the same, then `refinements` halvings between the last
+///                  place above the surface and the last one reached
+///   safety-radius  the next texel border at the least (ours), then `refinements` halvings of the last leap
 template <class Real, class Sink>
 SearchFound<Real> leaping_search(const Search& search, const SearchRay<Real>& ray,
                                  const SearchSurface<Real>& surface, SearchCells<Real> cells, Sink& sink) {
@@ -210,12 +211,10 @@ SearchFound<Real> leaping_search(const Search& search, const SearchRay<Real>& ra
     above = t;
     if (radius) {
       if (speed > 0) t += safety_radius(sample.added, map) / speed;
-    } else {
-      t += time_in_cone(ray, point, sample.height, cone_ratio(sample.added, map), Real{0}, Real{0});
-    }
-    if (!relaxed) {
       cells.go_to(above);
       t = std::max(t, cells.ask(0).t_out);
+    } else {
+      t += time_in_cone(ray, point, sample.height, cone_ratio(sample.added, map), Real{0}, Real{0});
     }
     t = std::min(t, ray.t_end);
   }

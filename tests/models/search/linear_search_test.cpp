@@ -73,6 +73,18 @@ TEST_F(OnFlat64, AsPrintedPomComparesOneStepLateSoThatAFlatMapIsFoundAStepTooEar
   EXPECT_NEAR(share(with_steps(SearchKind::kPomPrinted, 50, 50)), truth - 0.02, 1e-12);
 }
 
+TEST_F(OnFlat64, ConesUnderTheRayNearTheSurfaceByTheSameShareEachStep) {
+  // Nothing is higher: the cone reaches a tile's side per full scale. What is left of the way to the surface shrinks by
+  // v / (v + 4), v = hypot(1, 1/4) tiles of ground per unit of t, in which the ray falls by 4.
+  const double v = std::sqrt(1 + 0.0625), left = v / (v + 4);
+  Search cone = with_steps(SearchKind::kCone, 3);
+  cone.filter = SearchFilter::kBilinear;
+  EXPECT_NEAR(share(cone), truth * (1 - left * left * left), 1e-12);
+  EXPECT_NEAR(share(with_steps(SearchKind::kRelaxedCone, 2)), truth * (1 - left * left), 1e-12);
+  // Over constant texels the texel itself is asked, and the ray meets it.
+  EXPECT_NEAR(share(with_steps(SearchKind::kCone, 100)), truth, 1e-12);
+}
+
 TEST_F(OnFlat64, PomTakesItsLeastStepsAlongTheNormalAndItsMostAtGrazing) {
   const auto samples = [&](const MachineRay& input, double depth) {
     const Search search = with_steps(SearchKind::kPom, 40, 8);
