@@ -3,6 +3,7 @@
 #include <string>
 
 #include "reports/study/study_data.h"
+#include "reports/study/study_times.h"
 
 namespace cuesta {
 
@@ -17,5 +18,10 @@ std::string iterations_page(const StudyData& data);
 
 std::string bandwidth_headline(const StudyData& data);
 std::string bandwidth_page(const StudyData& data);
+
+std::string fidelity_headline(const StudyData& data);
+std::string fidelity_page(const StudyData& data);
+/// With wall times, measured apart.
+std::string fidelity_timed_page(const StudyData& data, const StudyTimes& times);
 
 }  // namespace cuesta

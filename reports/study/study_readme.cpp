@@ -6,10 +6,12 @@
 
 namespace cuesta {
 
-std::string study_readme(const StudyData& data, const std::string& headline) {
+std::string study_readme(const StudyData& data, const std::string& headline, bool timed) {
   std::string text = fmt::format("# Study `{}`: {}\n\n{}\n\n", data.study, data.question, headline);
-  text += "Made, every byte but manifest.json, by\n\n```\nbuild/release/cuesta study " + data.study +
-          (data.amount == "quick" ? " --quick" : "") + " --force\n```\n\n";
+  text += std::string("Made, every byte but manifest.json") +
+          (timed ? ", times.json and what the page says of wall time" : "") +
+          ", by\n\n```\nbuild/release/cuesta study " + data.study +
+          (data.amount == "quick" ? " --quick" : "") + (timed ? " --times" : "") + " --force\n```\n\n";
   text += fmt::format("{} of {} cases", grouped(static_cast<int64_t>(data.cases.size())),
                       grouped(static_cast<int64_t>(data.planned)));
   text += data.partial() ? " (partial: the study was ended early)" : "";
@@ -28,6 +30,8 @@ std::string study_readme(const StudyData& data, const std::string& headline) {
       "| `report.html` | the page, made from the data alone; asks the network for nothing |\n";
   for (const StudyPicture& picture : data.pictures)
     text += "| `" + picture.name + ".png` | " + picture.caption + " |\n";
+  if (timed)
+    text += "| `times.json` | wall times, on the host and the day that it names; they differ each time |\n";
   text += "| `manifest.json` | version, commit, compiler, and under `environment` host and times |\n";
   return text;
 }

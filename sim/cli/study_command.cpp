@@ -6,6 +6,7 @@
 
 #include "reports/result_json.h"
 #include "reports/study/study_readme.h"
+#include "sim/cli/level_times.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/standard_output.h"
@@ -29,6 +30,8 @@ class StudyCommand : public Command {
                    "Take finished cases over from the data.json of an earlier, stopped one");
     app.add_flag("--force,--overwrite", force_, "Replace an older folder of that name");
     app.add_flag("--quick", quick_, "A small part of the matrix: seconds instead of minutes");
+    app.add_flag("--times", times_,
+                 "Measure wall times on this host too, after the cases: times.json, and on the page");
     app.add_option("--workers", workers_, "Threads, 1 to 64; the data do not depend on it")
         ->capture_default_str();
   }
@@ -37,6 +40,10 @@ class StudyCommand : public Command {
     const auto start = std::chrono::steady_clock::now();
     const Study& study = find_study(name_);
     if (folder_.empty()) folder_ = quick_ ? "results/" + name_ + "-quick" : "reports/published/" + name_;
+    if (times_ && study.timed_page == nullptr) {
+      throw usage_error(
+          "--times measures the wall time of each level of fidelity; accepted with study fidelity.");
+    }
     Result manifest = begin_result("study", session);
     manifest.manifest.seeds.emplace_back("maps", "1");
     ResultFolder folder = ResultFolder::create(folder_, force_);
@@ -55,8 +62,14 @@ class StudyCommand : public Command {
     const std::string headline = study.headline(data);
     folder.write("data.json", study_json(data));
     folder.write("data.csv", study_csv(data));
-    folder.write("report.html", study.page(data));
-    folder.write("README.md", study_readme(data, headline));
+    if (times_) {
+      const StudyTimes times = measure_levels(session);
+      folder.write("times.json", times_json(times));
+      folder.write("report.html", study.timed_page(data, times));
+    } else {
+      folder.write("report.html", study.page(data));
+    }
+    folder.write("README.md", study_readme(data, headline, times_));
     folder.write("manifest.json", manifest_json(manifest));
     folder.commit(!data.partial());
 
@@ -85,7 +98,7 @@ class StudyCommand : public Command {
   }
 
   std::string name_, folder_, resume_;
-  bool force_ = false, quick_ = false;
+  bool force_ = false, quick_ = false, times_ = false;
   int workers_ = 2;
 };
 

@@ -4,6 +4,7 @@
 #include "sim/study/accuracy.h"
 #include "sim/study/accuracy_pictures.h"
 #include "sim/study/bandwidth.h"
+#include "sim/study/fidelity.h"
 #include "sim/study/iterations.h"
 #include "sim/study/study.h"
 
@@ -15,6 +16,8 @@ constexpr Study kStudies[] = {
      iterations_headline},
     {"bandwidth", bandwidth_plan, 2, bandwidth_planned, make_bandwidth_bench, bandwidth_page,
      bandwidth_headline},
+    {"fidelity", fidelity_plan, 2, fidelity_planned, make_fidelity_bench, fidelity_page, fidelity_headline,
+     nullptr, fidelity_timed_page},
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "reports/study/study_data.h"
+#include "reports/study/study_times.h"
 
 namespace cuesta {
 
@@ -30,6 +31,8 @@ struct Study {
   std::string (*page)(const StudyData& data);      ///< the page, from the data alone
   std::string (*headline)(const StudyData& data);  ///< one sentence: what an architect takes away
   std::vector<StudyPicture> (*pictures)(bool quick) = nullptr;  ///< nullptr: none
+  /// The page with wall times, for a study that has any (`--times`); nullptr: none.
+  std::string (*timed_page)(const StudyData& data, const StudyTimes& times) = nullptr;
 };
 
 std::span<const Study> studies();

@@ -116,7 +116,7 @@ TEST_P(Published, CasesRunAgainGiveTheCommittedCounts) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Studies, Published, ::testing::Values("iterations", "bandwidth"),
+INSTANTIATE_TEST_SUITE_P(Studies, Published, ::testing::Values("iterations", "bandwidth", "fidelity"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(PublishedFiles, HoldTheSameCasesAsJsonAndCsv) {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace cuesta {
+
+/// One level of fidelity, or one way to run it, over one frame on one machine.
+struct TimedRun {
+  std::string machine;
+  std::string level;   ///< "cycle", "cycle in SystemC" ...
+  double seconds = 0;  ///< wall time: the median of several runs
+  int64_t rays = 0;
+  int64_t cycles = 0;  ///< machine.cycles as that level has it; 0: the level has no time
+};
+
+/// Wall times beside a study. They are true of one host at one time: kept out of data.json, in times.json, and only ratios
+/// within one measurement say something elsewhere.
+struct StudyTimes {
+  std::string host, processor, date, load, build;
+  std::string frame;  ///< what was run, in a sentence
+  std::vector<TimedRun> runs;
+};
+
+std::string times_json(const StudyTimes& times);
+
+}  // namespace cuesta

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/study/study.h"
+
+namespace cuesta {
+
+/// What does each level of fidelity get wrong? Transaction and functional against cycle, unit by unit.
+StudyData fidelity_plan(bool quick);
+bool fidelity_planned(const StudyData& plan, const StudyPlace& place);
+std::unique_ptr<StudyBench> make_fidelity_bench(const StudyData& plan,
+                                                std::span<const uint16_t> size_and_map);
+
+}  // namespace cuesta
