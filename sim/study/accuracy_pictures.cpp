@@ -38,9 +38,8 @@ std::vector<Subject> subjects() {
        80,
        0.35,
        {"relief", "cone", "oh2006"},
-       "The same at a grazing angle, where the linear search steps over thin stones and the cones end before "
-       "they "
-       "arrive."},
+       "The same at a grazing angle, where the linear search steps over thin stones and some rays run out of "
+       "cones."},
       {"aliasing",
        "text-oblique",
        75,

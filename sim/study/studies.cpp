@@ -18,6 +18,8 @@ constexpr Study kStudies[] = {
      bandwidth_headline},
     {"fidelity", fidelity_plan, 2, fidelity_planned, make_fidelity_bench, fidelity_page, fidelity_headline,
      nullptr, fidelity_timed_page},
+    {"accuracy", accuracy_plan, 2, nullptr, make_accuracy_bench, accuracy_page, accuracy_headline,
+     accuracy_pictures},
 };
 
 }  // namespace

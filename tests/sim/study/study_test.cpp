@@ -116,7 +116,8 @@ TEST_P(Published, CasesRunAgainGiveTheCommittedCounts) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Studies, Published, ::testing::Values("iterations", "bandwidth", "fidelity"),
+INSTANTIATE_TEST_SUITE_P(Studies, Published,
+                         ::testing::Values("iterations", "bandwidth", "accuracy", "fidelity"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(PublishedFiles, HoldTheSameCasesAsJsonAndCsv) {
