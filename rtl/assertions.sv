@@ -19,7 +19,7 @@ bind hmt_top hmt_top_assertions #(
     .request_address_i(axi_ar_addr_o),
     .fill_valid_i(axi_r_valid_i),
     .fill_mshr_i(axi_r_id_i),
-    .slot_kinds_i({slot_step, miss, merge, refuse, slot_dead, stalled})
+    .slot_kinds_i({{5{enable}} & {slot_step, miss, merge, refuse, slot_dead}, stalled})
 );
 
 bind ray_setup ray_setup_assertions #(
@@ -71,20 +71,20 @@ bind height_l1 height_l1_assertions #(
     .rst_ni,
     .lookup_i(enable_i & lookup_valid_i),
     .hit_i(lookup_hit_o),
-    .miss_i(miss_o),
-    .merge_i(merge_o),
-    .refuse_i(refuse_o),
+    .miss_i(enable_i & miss_o),
+    .merge_i(enable_i & merge_o),
+    .refuse_i(enable_i & refuse_o),
     .replay_i(enable_i & replay_take_i),
     .retry_i(enable_i & lookup_retry_i),
     .replay_valid_i(replay_valid_o),
     .replay_context_i(replay_context_o),
-    .frees_i(frees),
+    .frees_i(enable_i & frees),
     .head_i(head),
     .free_mshr_i(free_mshr),
     .merge_mshr_i(merge_mshr),
     .fill_valid_i,
     .fill_mshr_i,
-    .request_leaves_i(request_leaves),
+    .request_leaves_i(request_valid_o & request_ready_i),
     .taken_i(taken_q),
     .pending_i(pending_q),
     .mshr_fill_i(mshr_fill_q),

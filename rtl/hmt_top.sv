@@ -26,9 +26,10 @@ module hmt_top #(
     input logic rst_ni,
 
     input  logic        reg_write_i,
+    input  logic        reg_read_i,
     input  logic [ 5:0] reg_address_i,
     input  logic [63:0] reg_data_i,
-    output logic [63:0] reg_data_o,     // of reg_address_i
+    output logic [63:0] reg_data_o,     // of reg_address_i while it is read, else 0
 
     input  logic                                      ray_valid_i,
     output logic                                      ray_ready_o,
@@ -89,7 +90,7 @@ module hmt_top #(
   logic [HeightBits-1:0] root_bound_q;
   logic [(MaxLevel+1)*AddressBits-1:0] level_base_q;
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
+  always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       {morton_q, stop_level_q, up_q, down_q, start_q, border_q, root_level_q} <= '0;
       t_end_q <= '0;
@@ -309,15 +310,16 @@ module hmt_top #(
   assign axi_r_ready_o = 1'b1;
 
   assign event_replay_o = enable & replay_take;
+  logic [2:0] slot_kind;  // if the pipe moves
   always_comb begin
-    event_slot_o = HmtSlotBubble;
-    if (slot_step) event_slot_o = HmtSlotStep;
-    if (miss) event_slot_o = HmtSlotMiss;
-    if (merge) event_slot_o = HmtSlotMerge;
-    if (refuse) event_slot_o = HmtSlotRefused;
-    if (slot_dead) event_slot_o = HmtSlotDead;
-    if (stalled) event_slot_o = HmtSlotStall;
+    if (slot_step) slot_kind = HmtSlotStep;
+    else if (miss) slot_kind = HmtSlotMiss;
+    else if (merge) slot_kind = HmtSlotMerge;
+    else if (refuse) slot_kind = HmtSlotRefused;
+    else if (slot_dead) slot_kind = HmtSlotDead;
+    else slot_kind = HmtSlotBubble;
   end
+  assign event_slot_o = stalled ? HmtSlotStall : slot_kind;
 
   // ---- Counters, with the model's names. Each cycle counts in one of them by what it was; sums are read as such.
   logic [63:0] ray_setup_rays_q;
@@ -338,8 +340,7 @@ module hmt_top #(
   logic [63:0] traverse_resident_cycles_q;
   logic [63:0] height_l1_mshr_cycles_q;
 
-  wire hit_leaves = hit_valid_o & hit_ready_i;
-  always_ff @(posedge clk_i or negedge rst_ni) begin
+  always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       ray_setup_rays_q <= '0;
       traverse_rays_q <= '0;
@@ -359,27 +360,30 @@ module hmt_top #(
       traverse_resident_cycles_q <= '0;
       height_l1_mshr_cycles_q <= '0;
     end else begin
-      case (event_slot_o)
-        HmtSlotStep: begin
-          if (replay_take) traverse_replays_q <= traverse_replays_q + 64'd1;
-          else height_l1_hits_q <= height_l1_hits_q + 64'd1;
-        end
-        HmtSlotMiss: height_l1_misses_q <= height_l1_misses_q + 64'd1;
-        HmtSlotMerge: height_l1_merges_q <= height_l1_merges_q + 64'd1;
-        HmtSlotRefused: height_l1_refused_q <= height_l1_refused_q + 64'd1;
-        HmtSlotDead: traverse_slots_dead_q <= traverse_slots_dead_q + 64'd1;
-        HmtSlotStall: traverse_stall_hit_queue_q <= traverse_stall_hit_queue_q + 64'd1;
-        default: begin
-          if (full) traverse_bubble_contexts_full_q <= traverse_bubble_contexts_full_q + 64'd1;
-          else if (ray_none_i & setup_empty) traverse_bubble_drain_q <= traverse_bubble_drain_q + 64'd1;
-          else traverse_bubble_no_ray_q <= traverse_bubble_no_ray_q + 64'd1;
-        end
-      endcase
+      if (stalled) begin
+        traverse_stall_hit_queue_q <= traverse_stall_hit_queue_q + 64'd1;
+      end else if (slot_step) begin
+        if (replay_take) traverse_replays_q <= traverse_replays_q + 64'd1;
+        else height_l1_hits_q <= height_l1_hits_q + 64'd1;
+      end else if (slot_kind == HmtSlotBubble) begin
+        if (full) traverse_bubble_contexts_full_q <= traverse_bubble_contexts_full_q + 64'd1;
+        else if (ray_none_i & setup_empty) traverse_bubble_drain_q <= traverse_bubble_drain_q + 64'd1;
+        else traverse_bubble_no_ray_q <= traverse_bubble_no_ray_q + 64'd1;
+      end else begin
+        if (miss) height_l1_misses_q <= height_l1_misses_q + 64'd1;
+        if (merge) height_l1_merges_q <= height_l1_merges_q + 64'd1;
+        if (refuse) height_l1_refused_q <= height_l1_refused_q + 64'd1;
+        if (slot_dead) traverse_slots_dead_q <= traverse_slots_dead_q + 64'd1;
+      end
       if (ray_valid_i & ray_ready_o) ray_setup_rays_q <= ray_setup_rays_q + 64'd1;
-      if (hit_leaves) traverse_rays_q <= traverse_rays_q + 64'd1;
-      if (hit_leaves & hit_status_o) traverse_hits_q <= traverse_hits_q + 64'd1;
-      if (axi_r_valid_i) height_l1_fills_q <= height_l1_fills_q + 64'd1;
-      if (evict) height_l1_evictions_q <= height_l1_evictions_q + 64'd1;
+      if (hit_valid_o & hit_ready_i) begin
+        traverse_rays_q <= traverse_rays_q + 64'd1;
+        if (hit_status_o) traverse_hits_q <= traverse_hits_q + 64'd1;
+      end
+      if (axi_r_valid_i) begin
+        height_l1_fills_q <= height_l1_fills_q + 64'd1;
+        if (evict) height_l1_evictions_q <= height_l1_evictions_q + 64'd1;
+      end
       traverse_resident_cycles_q <= traverse_resident_cycles_q + 64'(resident);
       height_l1_mshr_cycles_q <= height_l1_mshr_cycles_q + 64'(mshrs);
     end
@@ -387,35 +391,35 @@ module hmt_top #(
 
   always_comb begin
     reg_data_o = '0;
-    if (reg_address_i == AtMode) begin
-      reg_data_o[16:0] = {morton_q, stop_level_q, up_q, down_q, start_q, border_q, root_level_q};
+    if (reg_read_i) begin
+      case (reg_address_i)
+        AtMode: reg_data_o = 64'({morton_q, stop_level_q, up_q, down_q, start_q, border_q, root_level_q});
+        AtTimeEnd: reg_data_o = 64'(t_end_q);
+        AtRootBound: reg_data_o = 64'(root_bound_q);
+        6'd32: reg_data_o = ray_setup_rays_q;
+        6'd33: reg_data_o = traverse_rays_q;
+        6'd34: reg_data_o = traverse_hits_q;
+        6'd35: reg_data_o = height_l1_hits_q + traverse_replays_q;  // traverse_slots_step
+        6'd36: reg_data_o = height_l1_misses_q + height_l1_merges_q;  // traverse_slots_miss
+        6'd37: reg_data_o = height_l1_refused_q;  // traverse_slots_refused
+        6'd38: reg_data_o = traverse_slots_dead_q;
+        6'd39: reg_data_o = traverse_bubble_contexts_full_q;
+        6'd40: reg_data_o = traverse_bubble_no_ray_q;
+        6'd41: reg_data_o = traverse_bubble_drain_q;
+        6'd42: reg_data_o = traverse_stall_hit_queue_q;
+        6'd43: reg_data_o = traverse_replays_q;
+        6'd44: reg_data_o = height_l1_hits_q + height_l1_misses_q + height_l1_merges_q + height_l1_refused_q;  // accesses
+        6'd45: reg_data_o = height_l1_hits_q;
+        6'd46: reg_data_o = height_l1_misses_q;
+        6'd47: reg_data_o = height_l1_merges_q;
+        6'd48: reg_data_o = height_l1_refused_q;
+        6'd49: reg_data_o = height_l1_fills_q;
+        6'd50: reg_data_o = height_l1_evictions_q;
+        6'd51: reg_data_o = traverse_resident_cycles_q;
+        6'd52: reg_data_o = height_l1_mshr_cycles_q;
+        default: ;
+      endcase
     end
-    if (reg_address_i == AtTimeEnd) reg_data_o[TimeBits-1:0] = t_end_q;
-    if (reg_address_i == AtRootBound) reg_data_o[HeightBits-1:0] = root_bound_q;
-    case (reg_address_i)
-      6'd32: reg_data_o = ray_setup_rays_q;
-      6'd33: reg_data_o = traverse_rays_q;
-      6'd34: reg_data_o = traverse_hits_q;
-      6'd35: reg_data_o = height_l1_hits_q + traverse_replays_q;  // traverse_slots_step
-      6'd36: reg_data_o = height_l1_misses_q + height_l1_merges_q;  // traverse_slots_miss
-      6'd37: reg_data_o = height_l1_refused_q;  // traverse_slots_refused
-      6'd38: reg_data_o = traverse_slots_dead_q;
-      6'd39: reg_data_o = traverse_bubble_contexts_full_q;
-      6'd40: reg_data_o = traverse_bubble_no_ray_q;
-      6'd41: reg_data_o = traverse_bubble_drain_q;
-      6'd42: reg_data_o = traverse_stall_hit_queue_q;
-      6'd43: reg_data_o = traverse_replays_q;
-      6'd44: reg_data_o = height_l1_hits_q + height_l1_misses_q + height_l1_merges_q + height_l1_refused_q;  // accesses
-      6'd45: reg_data_o = height_l1_hits_q;
-      6'd46: reg_data_o = height_l1_misses_q;
-      6'd47: reg_data_o = height_l1_merges_q;
-      6'd48: reg_data_o = height_l1_refused_q;
-      6'd49: reg_data_o = height_l1_fills_q;
-      6'd50: reg_data_o = height_l1_evictions_q;
-      6'd51: reg_data_o = traverse_resident_cycles_q;
-      6'd52: reg_data_o = height_l1_mshr_cycles_q;
-      default: ;
-    endcase
   end
 
 endmodule

@@ -34,7 +34,7 @@ module hmt_top_assertions #(
   wire hit_leaves = hit_valid_i & hit_ready_i;
   wire request_leaves = request_valid_i & request_ready_i;
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
+  always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       hit_waits_q <= 1'b0;
       hit_q <= '0;

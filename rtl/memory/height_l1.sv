@@ -45,7 +45,7 @@ module height_l1 #(
     input  logic [   MshrBits-1:0] fill_mshr_i,
     input  logic [8*LineBytes-1:0] fill_data_i,
 
-    output logic              miss_o,     // allocated
+    output logic              miss_o,     // if the pipe moves: allocates
     output logic              merge_o,
     output logic              refuse_o,
     output logic              evict_o,    // a fill replaces a line
@@ -59,9 +59,9 @@ module height_l1 #(
   localparam int WayBits = (Ways > 1) ? $clog2(Ways) : 1;
   localparam int Lines = Sets * Ways;
   localparam int LineIndexBits = (Lines > 1) ? $clog2(Lines) : 1;
-  localparam int WordBytes = 4;
+  localparam int WordBytes = 8;
   localparam int Words = LineBytes / WordBytes;
-  localparam int WordBits = OffsetBits - 2;
+  localparam int WordBits = OffsetBits - 3;
   localparam int TexelBytes = (HeightBits > 8) ? 2 : 1;
 
   // ---- Tags and ages. A way that was chosen as a victim keeps its old line until the fill lands.
@@ -102,12 +102,15 @@ module height_l1 #(
   wire [SetBits-1:0] set = (Sets > 1) ? line[SetBits-1:0] : '0;
   logic found;
   logic [WayBits-1:0] found_way;
+  logic [Ways-1:0] set_valid;
   always_comb begin
     found = 1'b0;
     found_way = '0;
+    set_valid = '0;
     if (lookup_valid_i) begin
+      set_valid = valid_q[32'(set)*Ways+:Ways];
       for (int unsigned w = 0; w < Ways; w++) begin
-        if (valid_q[32'(set)*Ways+w] && line_q[32'(set)*Ways+w] == line) begin
+        if (set_valid[w] && line_q[32'(set)*Ways+w] == line) begin
           found = 1'b1;
           found_way = WayBits'(w);
         end
@@ -136,11 +139,9 @@ module height_l1 #(
   wire allocates = missing & ~merges & ~all_taken;
   wire refuses = missing & ~merges & all_taken;
   assign lookup_hit_o = found;
-  assign merge_o = enable_i & merges;
-  assign miss_o = enable_i & allocates;
-  assign refuse_o = enable_i & refuses;
-  wire replays = enable_i & replay_take_i;
-  wire retries = enable_i & lookup_retry_i;
+  assign merge_o = merges;
+  assign miss_o = allocates;
+  assign refuse_o = refuses;
 
   // The ways of the set, the least recently used in the lowest bits; never used: in the order of their numbers.
   logic [Ways*WayBits-1:0] ages;
@@ -151,57 +152,82 @@ module height_l1 #(
   wire [WayBits-1:0] victim = ages[WayBits-1:0];
 
   // ---- Replays and retries
-  wire [MshrBits-1:0] head = landed_q[landed_read_q];
-  wire last_waiter = first_q[head] == last_q[head];
-  wire frees = replays & last_waiter;
+  logic [MshrBits-1:0] head;
+  logic last_waiter;
+  always_comb begin
+    head = '0;
+    last_waiter = 1'b0;
+    replay_context_o = '0;
+    if (replay_valid_o) begin
+      head = landed_q[landed_read_q];
+      replay_context_o = first_q[head];
+      last_waiter = replay_context_o == last_q[head];
+    end
+  end
+  wire frees = replay_take_i & last_waiter;  // if the pipe moves
   assign replay_valid_o = landed_fill_q != '0;
-  assign replay_context_o = first_q[head];
   assign retry_valid_o = (retry_fill_q != '0) & ~all_taken;
   assign retry_context_o = retry_q[retry_read_q];
 
   // ---- Requests: the MSHR allocated in this cycle if none waits
   wire request_waits = request_fill_q != '0;
-  wire request_leaves = request_valid_o & request_ready_i;
-  assign request_valid_o = request_waits | miss_o;
-  assign request_mshr_o = request_waits ? request_q[request_read_q] : free_mshr;
-  assign request_address_o = {request_waits ? mshr_line_q[request_q[request_read_q]] : line, {OffsetBits{1'b0}}};
+  assign request_valid_o = request_waits | (enable_i & allocates);
+  always_comb begin
+    request_mshr_o = free_mshr;
+    request_address_o = {line, {OffsetBits{1'b0}}};
+    if (request_waits) begin
+      request_mshr_o = request_q[request_read_q];
+      request_address_o = {mshr_line_q[request_q[request_read_q]], {OffsetBits{1'b0}}};
+    end
+  end
 
   // ---- Fills
-  wire [LineBits-1:0] fill_line = mshr_line_q[fill_mshr_i];
-  wire [SetBits-1:0] fill_set = (Sets > 1) ? fill_line[SetBits-1:0] : '0;
-  wire [LineIndexBits-1:0] fill_index = LineIndexBits'(32'(fill_set) * Ways + 32'(mshr_way_q[fill_mshr_i]));
-  assign evict_o = fill_valid_i & valid_q[fill_index];
+  logic [LineBits-1:0] fill_line;
+  logic [LineIndexBits-1:0] fill_index;
+  always_comb begin
+    fill_line = '0;
+    fill_index = '0;
+    evict_o = 1'b0;
+    if (fill_valid_i) begin
+      fill_line = mshr_line_q[fill_mshr_i];
+      fill_index = LineIndexBits'(mshr_way_q[fill_mshr_i]);
+      if (Sets > 1) fill_index = fill_index + LineIndexBits'(32'(fill_line[SetBits-1:0]) * Ways);
+      evict_o = valid_q[fill_index];
+    end
+  end
   assign mshrs_o = mshr_fill_q;
 
   // ---- Data of the lines and of landed MSHRs: a line is written, a word is read.
   wire [LineIndexBits-1:0] read_index = LineIndexBits'(32'(set) * Ways + 32'(found_way));
-  wire [WordBits-1:0] read_word = lookup_address_i[OffsetBits-1:2];
+  wire [WordBits-1:0] read_word = lookup_address_i[OffsetBits-1:3];
   localparam int LineDataBits = $clog2(Lines * Words);
   localparam int MshrDataBits = $clog2(Mshrs * Words);
-  logic [31:0] line_data_q[Lines*Words];
-  logic [31:0] mshr_data_q[Mshrs*Words];
-  logic [31:0] line_word_q, mshr_word_q;
-  logic [1:0] byte_q;
+  logic [63:0] line_data_q[Lines*Words];
+  logic [63:0] mshr_data_q[Mshrs*Words];
+  logic [63:0] line_word_q, mshr_word_q;
+  logic [2:0] byte_q;
   logic replayed_q;
   always_ff @(posedge clk_i) begin
     if (fill_valid_i) begin
       for (int unsigned w = 0; w < Words; w++) begin
-        line_data_q[LineDataBits'({fill_index, WordBits'(w)})] <= fill_data_i[w*32+:32];
-        mshr_data_q[MshrDataBits'({fill_mshr_i, WordBits'(w)})] <= fill_data_i[w*32+:32];
+        line_data_q[LineDataBits'({fill_index, WordBits'(w)})] <= fill_data_i[w*64+:64];
+        mshr_data_q[MshrDataBits'({fill_mshr_i, WordBits'(w)})] <= fill_data_i[w*64+:64];
       end
     end
-    if (enable_i) begin
+    if (enable_i && (found || replay_take_i)) begin
       if (found) line_word_q <= line_data_q[LineDataBits'({read_index, read_word})];
       if (replay_take_i) mshr_word_q <= mshr_data_q[MshrDataBits'({head, read_word})];
-      byte_q <= lookup_address_i[1:0];
+      byte_q <= lookup_address_i[2:0];
       replayed_q <= replay_take_i;
     end
   end
-  wire [31:0] word = replayed_q ? mshr_word_q : line_word_q;
+  wire [63:0] word = replayed_q ? mshr_word_q : line_word_q;
   assign texel_o = (TexelBytes == 1) ? HeightBits'(word >> {byte_q, 3'b000})
-                                     : HeightBits'(word >> {byte_q[1], 4'b0000});
+                                     : HeightBits'(word >> {byte_q[2:1], 4'b0000});
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
+  // What was used last goes behind all others of its set: the youngest way is there already.
+  wire [WayBits-1:0] touched = found ? found_way : victim;
+  always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       valid_q <= '0;
       used_q <= '0;
@@ -218,60 +244,67 @@ module height_l1 #(
       retry_write_q <= '0;
       retry_fill_q <= '0;
     end else begin
-      if (enable_i && (found || allocates)) used_q[set] <= 1'b1;
-      if (miss_o) begin
-        taken_q[free_mshr] <= 1'b1;
-        pending_q[free_mshr] <= 1'b1;
-        if (!(request_leaves && !request_waits)) request_write_q <= next_mshr(request_write_q);
+      if (enable_i) begin
+        if (allocates || (found && ages[(Ways-1)*WayBits+:WayBits] != found_way)) begin : touch
+          // From the touched way's place on, each moves up one.
+          logic [Ways*WayBits-1:0] after;
+          after = ages;
+          for (int unsigned k = 0; k + 1 < Ways; k++) begin
+            if (after[k*WayBits+:WayBits] == touched) begin
+              after[k*WayBits+:WayBits] = ages[(k+1)*WayBits+:WayBits];
+              after[(k+1)*WayBits+:WayBits] = touched;
+            end
+          end
+          oldest_first_q[set] <= after;
+        end
+        if (missing) begin
+          if (allocates) begin
+            used_q[set] <= 1'b1;
+            taken_q[free_mshr] <= 1'b1;
+            pending_q[free_mshr] <= 1'b1;
+            mshr_line_q[free_mshr] <= line;
+            mshr_way_q[free_mshr] <= victim;
+            first_q[free_mshr] <= lookup_context_i;
+            last_q[free_mshr] <= lookup_context_i;
+            request_q[request_write_q] <= free_mshr;
+            if (request_waits || !request_ready_i) request_write_q <= next_mshr(request_write_q);
+          end
+          if (merges) begin
+            next_q[last_q[merge_mshr]] <= lookup_context_i;
+            last_q[merge_mshr] <= lookup_context_i;
+          end
+          if (refuses) begin
+            retry_q[retry_write_q] <= lookup_context_i;
+            retry_write_q <= next_context(retry_write_q);
+          end
+        end
+        if (lookup_retry_i) retry_read_q <= next_context(retry_read_q);
+        if (refuses != lookup_retry_i) retry_fill_q <= refuses ? retry_fill_q + 1'b1 : retry_fill_q - 1'b1;
+        if (replay_take_i) begin
+          if (last_waiter) begin
+            taken_q[head] <= 1'b0;
+            landed_read_q <= next_mshr(landed_read_q);
+          end else begin
+            first_q[head] <= next_q[first_q[head]];
+          end
+        end
+        if (allocates != frees) mshr_fill_q <= allocates ? mshr_fill_q + 1'b1 : mshr_fill_q - 1'b1;
       end
-      if (request_leaves && request_waits) request_read_q <= next_mshr(request_read_q);
-      request_fill_q <= request_fill_q + {{MshrBits{1'b0}}, miss_o} - {{MshrBits{1'b0}}, request_leaves};
-      if (refuse_o) retry_write_q <= next_context(retry_write_q);
-      if (retries) retry_read_q <= next_context(retry_read_q);
-      retry_fill_q <= retry_fill_q + {{ContextBits{1'b0}}, refuse_o} - {{ContextBits{1'b0}}, retries};
+      // A request leaves in the cycle of its allocation if none waits.
+      if (request_ready_i && request_waits) request_read_q <= next_mshr(request_read_q);
+      if ((enable_i & allocates) != (request_valid_o & request_ready_i)) begin
+        request_fill_q <= (enable_i & allocates) ? request_fill_q + 1'b1 : request_fill_q - 1'b1;
+      end
       if (fill_valid_i) begin
+        line_q[fill_index] <= fill_line;
+        landed_q[landed_write_q] <= fill_mshr_i;
         valid_q[fill_index] <= 1'b1;
         pending_q[fill_mshr_i] <= 1'b0;
         landed_write_q <= next_mshr(landed_write_q);
       end
-      if (frees) begin
-        taken_q[head] <= 1'b0;
-        landed_read_q <= next_mshr(landed_read_q);
+      if (fill_valid_i != (enable_i & frees)) begin
+        landed_fill_q <= fill_valid_i ? landed_fill_q + 1'b1 : landed_fill_q - 1'b1;
       end
-      landed_fill_q <= landed_fill_q + {{MshrBits{1'b0}}, fill_valid_i} - {{MshrBits{1'b0}}, frees};
-      mshr_fill_q <= mshr_fill_q + {{MshrBits{1'b0}}, miss_o} - {{MshrBits{1'b0}}, frees};
-    end
-  end
-
-  always_ff @(posedge clk_i) begin
-    if (enable_i && (found || allocates)) begin : touch
-      // From the touched way's place on, each moves up one.
-      logic [Ways*WayBits-1:0] after;
-      after = ages;
-      for (int unsigned k = 0; k + 1 < Ways; k++) begin
-        if (after[k*WayBits+:WayBits] == (found ? found_way : victim)) begin
-          after[k*WayBits+:WayBits] = ages[(k+1)*WayBits+:WayBits];
-          after[(k+1)*WayBits+:WayBits] = found ? found_way : victim;
-        end
-      end
-      oldest_first_q[set] <= after;
-    end
-    if (miss_o) begin
-      mshr_line_q[free_mshr] <= line;
-      mshr_way_q[free_mshr] <= victim;
-      first_q[free_mshr] <= lookup_context_i;
-      last_q[free_mshr] <= lookup_context_i;
-      request_q[request_write_q] <= free_mshr;
-    end
-    if (merge_o) begin
-      next_q[last_q[merge_mshr]] <= lookup_context_i;
-      last_q[merge_mshr] <= lookup_context_i;
-    end
-    if (refuse_o) retry_q[retry_write_q] <= lookup_context_i;
-    if (replays && !last_waiter) first_q[head] <= next_q[first_q[head]];
-    if (fill_valid_i) begin
-      line_q[fill_index] <= fill_line;
-      landed_q[landed_write_q] <= fill_mshr_i;
     end
   end
 

@@ -47,7 +47,7 @@ module height_l1_assertions #(
   logic replay_waits_q;
   logic [ContextBits-1:0] replay_context_q;
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
+  always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       replay_waits_q <= 1'b0;
       replay_context_q <= '0;

@@ -5,7 +5,8 @@
   function automatic logic signed [ProductBits-1:0] product(input logic signed [ProductBits-1:0] k,
                                                             input logic [MantissaBits:0] mantissa,
                                                             input logic signed [ProductBits-1:0] offset);
-    product = ((k * $signed({{(ProductBits - MantissaBits - 1) {1'b0}}, mantissa})) <<< FractionBits) - offset;
+    // The low bits of a product are the same with signs and without.
+    product = $signed(($unsigned(k) * {{(ProductBits - MantissaBits - 1) {1'b0}}, mantissa}) << FractionBits) - offset;
   endfunction
 
   // The time of a product, at least 0.
@@ -15,7 +16,7 @@
     logic [TimeBits-1:0] limit;
     limit = t_end >> shift;
     if (p[ProductBits-1]) time_of = '0;
-    else if (still || p > $signed({{(ProductBits - TimeBits) {1'b0}}, limit})) time_of = t_end;
+    else if (still || $unsigned(p) > {{(ProductBits - TimeBits) {1'b0}}, limit}) time_of = t_end;
     else time_of = p[TimeBits-1:0] << shift;
   endfunction
 
@@ -28,6 +29,6 @@
                                    input logic [ShiftBits-1:0] shift, input logic [TimeBits-1:0] t);
     logic [TimeBits-1:0] limit;
     limit = t >> shift;
-    at_most = p[ProductBits-1] | (~still & (p <= $signed({{(ProductBits - TimeBits) {1'b0}}, limit})));
+    at_most = p[ProductBits-1] | (~still & ($unsigned(p) <= {{(ProductBits - TimeBits) {1'b0}}, limit}));
   endfunction
 

@@ -95,36 +95,9 @@ module ray_setup #(
   logic head_valid_q;
   logic [PointerBits-1:0] read_q, write_q;
   logic [PointerBits:0] stored_q;
-  wire refills = ~head_valid_q | taken;  // the outputs are free for the next
-  wire pops = refills & (stored_q != '0);
-  wire stores = arrives & ~(refills & (stored_q == '0));
-
   function automatic logic [PointerBits-1:0] next_place(input logic [PointerBits-1:0] place);
     next_place = (place == PointerBits'(QueueDepth - 1)) ? '0 : place + 1'b1;
   endfunction
-
-  always_ff @(posedge clk_i or negedge rst_ni) begin
-    if (!rst_ni) begin
-      fill_q <= '0;
-      wait_q <= '0;
-      age_q <= '0;
-      ripe_q <= '0;
-      head_valid_q <= 1'b0;
-      read_q <= '0;
-      write_q <= '0;
-      stored_q <= '0;
-    end else begin
-      if (enters) wait_q <= IntervalBits'(IntervalCycles - 1);
-      else if (wait_q != '0) wait_q <= wait_q - 1'b1;
-      fill_q <= fill_q + {{PointerBits{1'b0}}, enters} - {{PointerBits{1'b0}}, taken};
-      age_q <= {age_q[LatencyCycles-2:0], enters};
-      ripe_q <= ripe_q + {{PointerBits{1'b0}}, ripens} - {{PointerBits{1'b0}}, taken};
-      if (refills) head_valid_q <= pops | arrives;
-      if (pops) read_q <= next_place(read_q);
-      if (stores) write_q <= next_place(write_q);
-      stored_q <= stored_q + {{PointerBits{1'b0}}, stores} - {{PointerBits{1'b0}}, pops};
-    end
-  end
 
   // ---- The engine
   logic [IdBits-1:0] id;
@@ -201,48 +174,72 @@ module ray_setup #(
   logic [PlaceBits-1:0] place_q[QueueDepth];  // {level, node_x, node_y}
 
   always_ff @(posedge clk_i) begin
-    if (arrives || pops) begin : move
-      logic [HmtLevelBits-1:0] span, first;
-      logic [PlaceBits-1:0] place;
-      span = (span_x > span_y) ? span_x : span_y;
-      if (span < cfg_stop_level_i) span = cfg_stop_level_i;
-      case (cfg_start_i)
-        HmtStartLeaf: first = cfg_stop_level_i;
-        HmtStartSpan: first = span;
-        default: first = cfg_root_level_i;
-      endcase
-      place = {first, cell_x >>> first, cell_y >>> first};
-      if (stores) begin
-        id_q[write_q] <= id;
-        ways_q[write_q] <= {dead, flip_x, flip_y, rising};
-        line_x_q[write_q] <= {still_x, ex, mx, ox};
-        line_y_q[write_q] <= {still_y, ey, my, oy};
-        line_z_q[write_q] <= {still_z, ez, mz, oz};
-        t_start_q[write_q] <= t_start;
-        t_max_q[write_q] <= t_max;
-        t_root_q[write_q] <= t_root;
-        place_q[write_q] <= place;
-      end
-      if (pops) begin
-        out_id_o <= id_q[read_q];
-        {out_dead_o, out_flip_x_o, out_flip_y_o, out_rising_o} <= ways_q[read_q];
-        {out_still_x_o, out_ex_o, out_mx_o, out_ox_o} <= line_x_q[read_q];
-        {out_still_y_o, out_ey_o, out_my_o, out_oy_o} <= line_y_q[read_q];
-        {out_still_z_o, out_ez_o, out_mz_o, out_oz_o} <= line_z_q[read_q];
-        out_t_start_o <= t_start_q[read_q];
-        out_t_max_o <= t_max_q[read_q];
-        out_t_root_o <= t_root_q[read_q];
-        {out_level_o, out_node_x_o, out_node_y_o} <= place_q[read_q];
-      end else if (refills) begin
-        out_id_o <= id;
-        {out_dead_o, out_flip_x_o, out_flip_y_o, out_rising_o} <= {dead, flip_x, flip_y, rising};
-        {out_still_x_o, out_ex_o, out_mx_o, out_ox_o} <= {still_x, ex, mx, ox};
-        {out_still_y_o, out_ey_o, out_my_o, out_oy_o} <= {still_y, ey, my, oy};
-        {out_still_z_o, out_ez_o, out_mz_o, out_oz_o} <= {still_z, ez, mz, oz};
-        out_t_start_o <= t_start;
-        out_t_max_o <= t_max;
-        out_t_root_o <= t_root;
-        {out_level_o, out_node_x_o, out_node_y_o} <= place;
+    if (!rst_ni) begin
+      fill_q <= '0;
+      wait_q <= '0;
+      age_q <= '0;
+      ripe_q <= '0;
+      head_valid_q <= 1'b0;
+      read_q <= '0;
+      write_q <= '0;
+      stored_q <= '0;
+    end else begin
+      age_q <= {age_q[LatencyCycles-2:0], enters};
+      if (enters) wait_q <= IntervalBits'(IntervalCycles - 1);
+      else if (wait_q != '0) wait_q <= wait_q - 1'b1;
+      if (enters != taken) fill_q <= enters ? fill_q + 1'b1 : fill_q - 1'b1;
+      if (ripens != taken) ripe_q <= ripens ? ripe_q + 1'b1 : ripe_q - 1'b1;
+      if (arrives || taken) begin : move
+        logic refills, pops, stores;
+        logic [HmtLevelBits-1:0] span, first;
+        logic [PlaceBits-1:0] place;
+        refills = ~head_valid_q | taken;  // the outputs are free for the next
+        pops = refills & (stored_q != '0);
+        stores = arrives & ~(refills & (stored_q == '0));
+        span = (span_x > span_y) ? span_x : span_y;
+        if (span < cfg_stop_level_i) span = cfg_stop_level_i;
+        case (cfg_start_i)
+          HmtStartLeaf: first = cfg_stop_level_i;
+          HmtStartSpan: first = span;
+          default: first = cfg_root_level_i;
+        endcase
+        place = {first, cell_x >>> first, cell_y >>> first};
+        if (stores) begin
+          id_q[write_q] <= id;
+          ways_q[write_q] <= {dead, flip_x, flip_y, rising};
+          line_x_q[write_q] <= {still_x, ex, mx, ox};
+          line_y_q[write_q] <= {still_y, ey, my, oy};
+          line_z_q[write_q] <= {still_z, ez, mz, oz};
+          t_start_q[write_q] <= t_start;
+          t_max_q[write_q] <= t_max;
+          t_root_q[write_q] <= t_root;
+          place_q[write_q] <= place;
+          write_q <= next_place(write_q);
+        end
+        if (pops) begin
+          out_id_o <= id_q[read_q];
+          {out_dead_o, out_flip_x_o, out_flip_y_o, out_rising_o} <= ways_q[read_q];
+          {out_still_x_o, out_ex_o, out_mx_o, out_ox_o} <= line_x_q[read_q];
+          {out_still_y_o, out_ey_o, out_my_o, out_oy_o} <= line_y_q[read_q];
+          {out_still_z_o, out_ez_o, out_mz_o, out_oz_o} <= line_z_q[read_q];
+          out_t_start_o <= t_start_q[read_q];
+          out_t_max_o <= t_max_q[read_q];
+          out_t_root_o <= t_root_q[read_q];
+          {out_level_o, out_node_x_o, out_node_y_o} <= place_q[read_q];
+          read_q <= next_place(read_q);
+        end else if (refills && arrives) begin
+          out_id_o <= id;
+          {out_dead_o, out_flip_x_o, out_flip_y_o, out_rising_o} <= {dead, flip_x, flip_y, rising};
+          {out_still_x_o, out_ex_o, out_mx_o, out_ox_o} <= {still_x, ex, mx, ox};
+          {out_still_y_o, out_ey_o, out_my_o, out_oy_o} <= {still_y, ey, my, oy};
+          {out_still_z_o, out_ez_o, out_mz_o, out_oz_o} <= {still_z, ez, mz, oz};
+          out_t_start_o <= t_start;
+          out_t_max_o <= t_max;
+          out_t_root_o <= t_root;
+          {out_level_o, out_node_x_o, out_node_y_o} <= place;
+        end
+        if (refills) head_valid_q <= pops | arrives;
+        if (pops != stores) stored_q <= stores ? stored_q + 1'b1 : stored_q - 1'b1;
       end
     end
   end

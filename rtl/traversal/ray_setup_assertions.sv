@@ -24,7 +24,7 @@ module ray_setup_assertions #(
   logic [PointerBits:0] rays_q;
   logic [AgeBits-1:0] since_empty_q;  // cycles since it was empty, up to LatencyCycles
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
+  always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       waits_q <= 1'b0;
       out_q <= '0;

@@ -72,7 +72,6 @@ module ray_setup_engine #(
   localparam int AtSpan = AtTest + CellCycles;
   localparam int DoneCycles = AtSpan + SpanCycles;
   localparam int Windows = (DoneCycles - 1) / IntervalCycles + 1;
-  localparam int StepBits = $clog2(IntervalCycles + 1);
   localparam int ZBits = HeightBits + FractionBits;
   localparam int DivBits = DirectionBits + 2;
   localparam int QuotientBits = 2 * DivCycles + 2;
@@ -81,9 +80,16 @@ module ray_setup_engine #(
 
   // Left shift that brings the top bit of d to bit DirectionBits - 1; 0 for d = 0.
   function automatic logic [ShiftBits-1:0] normalising_shift(input logic [DirectionBits-1:0] d);
+    logic [DirectionBits-1:0] rest;
+    rest = d;
     normalising_shift = '0;
-    for (int unsigned b = 0; b < DirectionBits; b++) begin
-      if (d[b]) normalising_shift = ShiftBits'(DirectionBits - 1 - b);
+    if (d != '0) begin
+      for (int unsigned k = 0; k < ShiftBits; k++) begin  // by halves
+        if (rest >> (DirectionBits - (1 << (ShiftBits - 1 - k))) == '0) begin
+          normalising_shift[ShiftBits-1-k] = 1'b1;
+          rest = rest << (1 << (ShiftBits - 1 - k));
+        end
+      end
     end
   endfunction
 
@@ -108,10 +114,6 @@ module ray_setup_engine #(
 
   function automatic logic [DirectionBits-1:0] magnitude(input logic signed [DirectionBits:0] d);
     magnitude = DirectionBits'(d[DirectionBits] ? -d : d);
-  endfunction
-
-  function automatic logic [DirectionBits-1:0] normalised(input logic [DirectionBits-1:0] d);
-    normalised = d << normalising_shift(d);
   endfunction
 
   // The quotient 2^(D + M) / d, with ExtraBits more, rounded to the mantissa of 1 / d: half of it, halves up.
@@ -168,18 +170,26 @@ module ray_setup_engine #(
   // ---- The windows. Window w holds the ages w * IntervalCycles + 1 to (w + 1) * IntervalCycles.
 `define HMT_FROM gen_window[Before]
 // Whether the ray that is now in age `age` is worked on here, or in one of `ages` ages from that on.
-`define HMT_NOW(age) ((age) / IntervalCycles == w && (((age) % IntervalCycles == 0) ? comes \
-    : (!comes && step_q == StepBits'((age) % IntervalCycles - 1))))
-`define HMT_WITHIN(age, ages) ((age) < First + IntervalCycles && (age) + (ages) > First && (comes \
-    ? ((age) <= First) : (step_q != StepBits'(LastStep) \
-      && First + 1 + 32'(step_q) >= (age) && First + 1 + 32'(step_q) < (age) + (ages))))
+`define HMT_NOW(age) ((age) / IntervalCycles == w && alive[age])
+// Whether this window works in one of the ages `first` to `last`, in which something is read.
+`define HMT_READ(first, last) (First <= (last) && First + IntervalCycles > (first))
+`define HMT_WITHIN(age, ages) ((here & (((Alive'(1) << (ages)) - Alive'(1)) << (age))) != '0)
+
+  // [a]: a ray is in age a, from its entry in this cycle to the cycle in which it is done.
+  localparam int Alive = DoneCycles + 1;
+  logic [DoneCycles:1] age_q;
+  wire [DoneCycles:0] alive = {age_q, enter_i};
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) age_q <= '0;
+    else age_q <= alive[DoneCycles-1:0];
+  end
 
   for (genvar w = 0; w < Windows; w++) begin : gen_window
     localparam int First = w * IntervalCycles;  // the age in which a ray comes in
     localparam int Before = (w > 0) ? w - 1 : 0;
-    localparam int LastStep = ((w == Windows - 1) ? DoneCycles - 1 : First + IntervalCycles - 1) - First;
-    logic                               busy_q;
-    logic        [        StepBits-1:0] step_q;  // cycles in this window
+    // The ages in which there is work for this window.
+    localparam int Ages = (w == Windows - 1) ? DoneCycles - First : IntervalCycles;
+    localparam logic [DoneCycles:0] Mine = ((Alive'(1) << Ages) - Alive'(1)) << First;
     logic        [          IdBits-1:0] id_q;
     logic                               dead_q;
     logic                               flip_x_q;
@@ -218,21 +228,11 @@ module ray_setup_engine #(
     logic        [    HmtLevelBits-1:0] high_x_q;
     logic        [    HmtLevelBits-1:0] high_y_q;
 
-    logic comes;
-    if (w == 0) begin : gen_from_port
-      assign comes = enter_i;
-    end else begin : gen_from_window
-      assign comes = `HMT_FROM.busy_q & (`HMT_FROM.step_q == StepBits'(IntervalCycles - 1));
-    end
-
-    always_ff @(posedge clk_i or negedge rst_ni) begin
-      if (!rst_ni) busy_q <= 1'b0;
-      else if (comes) busy_q <= 1'b1;
-      else if (step_q == StepBits'(LastStep)) busy_q <= 1'b0;
-    end
+    wire comes = alive[First];
+    wire [DoneCycles:0] here = alive & Mine;
 
     always_ff @(posedge clk_i) begin
-      if (comes || busy_q) begin : work
+      if (here != '0) begin : work
         // The ray that is worked on: the one that comes in, or the one here.
         logic rising, falling, still_x, still_y, still_z;
         logic signed [PositionBits-1:0] x0, y0;
@@ -245,78 +245,105 @@ module ray_setup_engine #(
         logic [TimeBits-1:0] t_start, t_max, t_root, t_end;
         logic [SearchBits-1:0] cell_x, cell_y;
         logic [HmtLevelBits-1:0] low_x, low_y, high_x, high_y;
-        rising = comes ? `HMT_FROM.rising_q : rising_q;
-        falling = comes ? `HMT_FROM.falling_q : falling_q;
-        still_x = comes ? `HMT_FROM.still_x_q : still_x_q;
-        still_y = comes ? `HMT_FROM.still_y_q : still_y_q;
-        still_z = comes ? `HMT_FROM.still_z_q : still_z_q;
-        x0 = comes ? `HMT_FROM.x0_q : x0_q;
-        y0 = comes ? `HMT_FROM.y0_q : y0_q;
-        z0 = comes ? `HMT_FROM.z0_q : z0_q;
-        dx = comes ? `HMT_FROM.dx_q : dx_q;
-        dy = comes ? `HMT_FROM.dy_q : dy_q;
-        dz = comes ? `HMT_FROM.dz_q : dz_q;
-        ex = comes ? `HMT_FROM.ex_q : ex_q;
-        ey = comes ? `HMT_FROM.ey_q : ey_q;
-        ez = comes ? `HMT_FROM.ez_q : ez_q;
-        div_x = comes ? `HMT_FROM.div_x_q : div_x_q;
-        div_y = comes ? `HMT_FROM.div_y_q : div_y_q;
-        div_z = comes ? `HMT_FROM.div_z_q : div_z_q;
-        mx = comes ? `HMT_FROM.mx_q : mx_q;
-        my = comes ? `HMT_FROM.my_q : my_q;
-        mz = comes ? `HMT_FROM.mz_q : mz_q;
-        ox = comes ? `HMT_FROM.ox_q : ox_q;
-        oy = comes ? `HMT_FROM.oy_q : oy_q;
-        oz = comes ? `HMT_FROM.oz_q : oz_q;
-        t_start = comes ? `HMT_FROM.t_start_q : t_start_q;
-        t_max = comes ? `HMT_FROM.t_max_q : t_max_q;
-        t_root = comes ? `HMT_FROM.t_root_q : t_root_q;
-        t_end = comes ? `HMT_FROM.t_end_q : t_end_q;
-        cell_x = comes ? `HMT_FROM.cell_x_q : cell_x_q;
-        cell_y = comes ? `HMT_FROM.cell_y_q : cell_y_q;
-        low_x = comes ? `HMT_FROM.low_x_q : low_x_q;
-        low_y = comes ? `HMT_FROM.low_y_q : low_y_q;
-        high_x = comes ? `HMT_FROM.high_x_q : high_x_q;
-        high_y = comes ? `HMT_FROM.high_y_q : high_y_q;
-        step_q <= comes ? '0 : step_q + 1'b1;
+        if (`HMT_READ(1, AtOffset - 1)) begin
+          dx = comes ? `HMT_FROM.dx_q : dx_q;
+          dy = comes ? `HMT_FROM.dy_q : dy_q;
+          dz = comes ? `HMT_FROM.dz_q : dz_q;
+        end
+        if (`HMT_READ(AtDiv, AtOffset)) begin
+          div_x = comes ? `HMT_FROM.div_x_q : div_x_q;
+          div_y = comes ? `HMT_FROM.div_y_q : div_y_q;
+          div_z = comes ? `HMT_FROM.div_z_q : div_z_q;
+        end
+        if (`HMT_READ(1, AtTest)) begin
+          x0 = comes ? `HMT_FROM.x0_q : x0_q;
+          y0 = comes ? `HMT_FROM.y0_q : y0_q;
+        end
+        if (`HMT_READ(AtOffset, AtOffset)) begin
+          z0 = comes ? `HMT_FROM.z0_q : z0_q;
+        end
+        if (`HMT_READ(AtOffset, DoneCycles)) begin
+          still_x = comes ? `HMT_FROM.still_x_q : still_x_q;
+          still_y = comes ? `HMT_FROM.still_y_q : still_y_q;
+          ex = comes ? `HMT_FROM.ex_q : ex_q;
+          ey = comes ? `HMT_FROM.ey_q : ey_q;
+        end
+        if (`HMT_READ(AtOffset, AtTest)) begin
+          still_z = comes ? `HMT_FROM.still_z_q : still_z_q;
+          ez = comes ? `HMT_FROM.ez_q : ez_q;
+        end
+        if (`HMT_READ(AtClip, DoneCycles)) begin
+          mx = comes ? `HMT_FROM.mx_q : mx_q;
+          my = comes ? `HMT_FROM.my_q : my_q;
+          ox = comes ? `HMT_FROM.ox_q : ox_q;
+          oy = comes ? `HMT_FROM.oy_q : oy_q;
+        end
+        if (`HMT_READ(AtClip, AtClip)) begin
+          mz = comes ? `HMT_FROM.mz_q : mz_q;
+          oz = comes ? `HMT_FROM.oz_q : oz_q;
+        end
+        if (`HMT_READ(AtTest, AtSpan - 1)) begin
+          t_start = comes ? `HMT_FROM.t_start_q : t_start_q;
+        end
+        if (`HMT_READ(AtTest, AtTest)) begin
+          t_max = comes ? `HMT_FROM.t_max_q : t_max_q;
+          t_root = comes ? `HMT_FROM.t_root_q : t_root_q;
+        end
+        if (`HMT_READ(AtClip, AtTest)) begin
+          rising = comes ? `HMT_FROM.rising_q : rising_q;
+          falling = comes ? `HMT_FROM.falling_q : falling_q;
+        end
+        if (`HMT_READ(AtSpan, DoneCycles)) begin
+          t_end = comes ? `HMT_FROM.t_end_q : t_end_q;
+        end
+        if (`HMT_READ(AtTest + 1, DoneCycles)) begin
+          cell_x = comes ? `HMT_FROM.cell_x_q : cell_x_q;
+          cell_y = comes ? `HMT_FROM.cell_y_q : cell_y_q;
+        end
+        if (`HMT_READ(AtSpan, DoneCycles)) begin
+          low_x = comes ? `HMT_FROM.low_x_q : low_x_q;
+          low_y = comes ? `HMT_FROM.low_y_q : low_y_q;
+          high_x = comes ? `HMT_FROM.high_x_q : high_x_q;
+          high_y = comes ? `HMT_FROM.high_y_q : high_y_q;
+        end
         if (comes && w > 0) begin
           id_q <= `HMT_FROM.id_q;
           dead_q <= `HMT_FROM.dead_q;
           flip_x_q <= `HMT_FROM.flip_x_q;
           flip_y_q <= `HMT_FROM.flip_y_q;
-          rising_q <= rising;
-          falling_q <= falling;
-          x0_q <= x0;
-          y0_q <= y0;
-          z0_q <= z0;
-          dx_q <= dx;
-          dy_q <= dy;
-          dz_q <= dz;
-          still_x_q <= still_x;
-          still_y_q <= still_y;
-          still_z_q <= still_z;
-          ex_q <= ex;
-          ey_q <= ey;
-          ez_q <= ez;
-          div_x_q <= div_x;
-          div_y_q <= div_y;
-          div_z_q <= div_z;
-          mx_q <= mx;
-          my_q <= my;
-          mz_q <= mz;
-          ox_q <= ox;
-          oy_q <= oy;
-          oz_q <= oz;
-          t_start_q <= t_start;
-          t_max_q <= t_max;
-          t_root_q <= t_root;
-          t_end_q <= t_end;
-          cell_x_q <= cell_x;
-          cell_y_q <= cell_y;
-          low_x_q <= low_x;
-          low_y_q <= low_y;
-          high_x_q <= high_x;
-          high_y_q <= high_y;
+          rising_q <= `HMT_FROM.rising_q;
+          falling_q <= `HMT_FROM.falling_q;
+          x0_q <= `HMT_FROM.x0_q;
+          y0_q <= `HMT_FROM.y0_q;
+          z0_q <= `HMT_FROM.z0_q;
+          dx_q <= `HMT_FROM.dx_q;
+          dy_q <= `HMT_FROM.dy_q;
+          dz_q <= `HMT_FROM.dz_q;
+          still_x_q <= `HMT_FROM.still_x_q;
+          still_y_q <= `HMT_FROM.still_y_q;
+          still_z_q <= `HMT_FROM.still_z_q;
+          ex_q <= `HMT_FROM.ex_q;
+          ey_q <= `HMT_FROM.ey_q;
+          ez_q <= `HMT_FROM.ez_q;
+          div_x_q <= `HMT_FROM.div_x_q;
+          div_y_q <= `HMT_FROM.div_y_q;
+          div_z_q <= `HMT_FROM.div_z_q;
+          mx_q <= `HMT_FROM.mx_q;
+          my_q <= `HMT_FROM.my_q;
+          mz_q <= `HMT_FROM.mz_q;
+          ox_q <= `HMT_FROM.ox_q;
+          oy_q <= `HMT_FROM.oy_q;
+          oz_q <= `HMT_FROM.oz_q;
+          t_start_q <= `HMT_FROM.t_start_q;
+          t_max_q <= `HMT_FROM.t_max_q;
+          t_root_q <= `HMT_FROM.t_root_q;
+          t_end_q <= `HMT_FROM.t_end_q;
+          cell_x_q <= `HMT_FROM.cell_x_q;
+          cell_y_q <= `HMT_FROM.cell_y_q;
+          low_x_q <= `HMT_FROM.low_x_q;
+          low_y_q <= `HMT_FROM.low_y_q;
+          high_x_q <= `HMT_FROM.high_x_q;
+          high_y_q <= `HMT_FROM.high_y_q;
         end
         if (comes && w == 0) begin
           id_q <= ray_id_i;
@@ -340,15 +367,21 @@ module ray_setup_engine #(
           still_x_q <= dx == '0;
           still_y_q <= dy == '0;
           still_z_q <= dz == '0;
-          ex_q <= normalising_shift(magnitude(dx));
-          ey_q <= normalising_shift(magnitude(dy));
-          ez_q <= normalising_shift(magnitude(dz));
-          dx_q <= {1'b0, normalised(magnitude(dx))};
-          dy_q <= {1'b0, normalised(magnitude(dy))};
-          dz_q <= {1'b0, normalised(magnitude(dz))};
-          div_x_q <= divide_from(normalised(magnitude(dx)));
-          div_y_q <= divide_from(normalised(magnitude(dy)));
-          div_z_q <= divide_from(normalised(magnitude(dz)));
+          ex = normalising_shift(magnitude(dx));
+          ey = normalising_shift(magnitude(dy));
+          ez = normalising_shift(magnitude(dz));
+          dx = {1'b0, magnitude(dx) << ex};
+          dy = {1'b0, magnitude(dy) << ey};
+          dz = {1'b0, magnitude(dz) << ez};
+          ex_q <= ex;
+          ey_q <= ey;
+          ez_q <= ez;
+          dx_q <= dx;
+          dy_q <= dy;
+          dz_q <= dz;
+          div_x_q <= divide_from(dx[DirectionBits-1:0]);
+          div_y_q <= divide_from(dy[DirectionBits-1:0]);
+          div_z_q <= divide_from(dz[DirectionBits-1:0]);
         end
 
         if (`HMT_WITHIN(AtDiv, DivCycles)) begin
@@ -440,10 +473,10 @@ module ray_setup_engine #(
 
 `undef HMT_FROM
 `undef HMT_NOW
+`undef HMT_READ
 `undef HMT_WITHIN
 
-  assign done_o = gen_window[Windows-1].busy_q &
-      (gen_window[Windows-1].step_q == StepBits'(DoneCycles - 1 - (Windows - 1) * IntervalCycles));
+  assign done_o = alive[DoneCycles];
   assign out_id_o = gen_window[Windows-1].id_q;
   assign out_dead_o = gen_window[Windows-1].dead_q;
   assign out_mx_o = gen_window[Windows-1].mx_q;

@@ -30,7 +30,7 @@ module traverse_assertions #(
     for (int unsigned k = 0; k < Contexts; k++) count = count + {{ContextBits{1'b0}}, resident_i[k]};
   end
 
-  always_ff @(posedge clk_i or negedge rst_ni) begin
+  always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
     end else begin
       at_most_contexts_resident : assert (fill_i <= (ContextBits + 1)'(Contexts));

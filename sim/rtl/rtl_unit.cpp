@@ -49,17 +49,6 @@ void RtlUnit::record_waves(const std::string& file, Cycle first, Cycle last) {
   wave_last_ = last;
 }
 
-bool RtlUnit::hit_queue_ready() {
-  if (cycle_ < hits_open_from_ || blocked(Port::kHitStream)) return false;
-  if (site_.hit_queue.full()) site_.writer.advance(cycle_);
-  return !site_.hit_queue.full();
-}
-
-bool RtlUnit::no_ray_to_come() {
-  return site_.dispatch.queue(site_.pipeline).empty() && site_.dispatch.all_sent() &&
-         site_.dispatch.last_sent() < cycle_;
-}
-
 Error RtlUnit::wrong(const std::string& what) const {
   return {ExitCode::kMismatch, name_ + "[" + std::to_string(site_.pipeline) + "] " + what + " in cycle " +
                                    std::to_string(cycle_) + "."};
@@ -67,16 +56,6 @@ Error RtlUnit::wrong(const std::string& what) const {
 
 Error RtlUnit::no_such_ray(uint32_t number) const {
   return wrong("works on ray " + std::to_string(number) + " of " + std::to_string(site_.order.size()));
-}
-
-void RtlUnit::count_slot(HmtTopPort::Slot slot, uint32_t number) {
-  using Slot = HmtTopPort::Slot;
-  if (slot == Slot::kBubble || slot == Slot::kStall) return;
-  if (number >= site_.order.size()) throw no_such_ray(number);
-  RayTiming& timing = site_.timing[site_.order[number]];
-  in_context_ += timing.issue_slots++ == 0;
-  timing.misses += slot == Slot::kMiss;
-  if (slot == Slot::kStep || slot == Slot::kDead) site_.watchdog.last_progress = cycle_;
 }
 
 void RtlUnit::retire(HitRecord record, Cycle sent) {

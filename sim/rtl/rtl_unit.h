@@ -55,11 +55,26 @@ class RtlUnit : public HmtUnit {
   bool blocked(Port port) const {
     return site_.stalls != nullptr && site_.stalls->blocked(port, site_.pipeline, cycle_);
   }
-  bool hit_queue_ready();
+  bool hit_queue_ready() {
+    if (cycle_ < hits_open_from_ || blocked(Port::kHitStream)) return false;
+    if (site_.hit_queue.full()) site_.writer.advance(cycle_);
+    return !site_.hit_queue.full();
+  }
   /// ray_dispatch has sent all, and none is in front of ray_setup.
-  bool no_ray_to_come();
+  bool no_ray_to_come() {
+    return site_.dispatch.queue(site_.pipeline).empty() && site_.dispatch.all_sent() &&
+           site_.dispatch.last_sent() < cycle_;
+  }
   /// Throws Error(kMismatch) for a ray that there is not: the hardware may be anybody's.
-  void count_slot(HmtTopPort::Slot slot, uint32_t ray);
+  void count_slot(HmtTopPort::Slot slot, uint32_t number) {
+    using Slot = HmtTopPort::Slot;
+    if (slot == Slot::kBubble || slot == Slot::kStall) return;
+    if (number >= site_.order.size()) throw no_such_ray(number);
+    RayTiming& timing = site_.timing[site_.order[number]];
+    in_context_ += timing.issue_slots++ == 0;
+    timing.misses += slot == Slot::kMiss;
+    if (slot == Slot::kStep || slot == Slot::kDead) site_.watchdog.last_progress = cycle_;
+  }
   /// Error(kMismatch): "traverse[0] sends ray 7 in cycle 12, which is not inside."
   Error wrong(const std::string& what) const;
   Error no_such_ray(uint32_t number) const;

@@ -22,9 +22,11 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
   void reset() override {
     rtl().rst_ni = 0;
     rtl().reg_write_i = 0;
+    rtl().reg_read_i = 0;
     this->evaluate(HmtTopPort::Inputs{});
     this->clock();
     rtl().rst_ni = 1;
+    settled_ = false;
   }
   void write_register(int address, uint64_t data) override {
     rtl().reg_write_i = 1;
@@ -35,15 +37,18 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
     rtl().reg_write_i = 0;
   }
   uint64_t read_register(int address) override {
+    rtl().reg_read_i = 1;
     rtl().reg_address_i = static_cast<uint8_t>(address);
     rtl().eval();
+    rtl().reg_read_i = 0;
     return rtl().reg_data_o;
   }
 
   HmtTopPort::Outputs evaluate(const HmtTopPort::Inputs& in) override {
     V& r = rtl();
     r.ray_valid_i = in.ray != nullptr;
-    if (in.ray != nullptr) {
+    if (in.ray != nullptr && (in.ray != ray_ || in.ray_number != r.ray_id_i)) {
+      ray_ = in.ray;
       r.ray_id_i = in.ray_number;
       set_port(r.ray_x0_i, static_cast<uint64_t>(in.ray->x0) & position_mask_);
       set_port(r.ray_y0_i, static_cast<uint64_t>(in.ray->y0) & position_mask_);
@@ -55,6 +60,8 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
       r.ray_dead_i = in.ray->dead;
     }
     r.ray_none_i = in.no_ray_to_come;
+    // The only input that outputs follow from within the cycle.
+    const bool settled = settled_ && r.hit_ready_i == in.hit_ready;
     r.hit_ready_i = in.hit_ready;
     r.axi_ar_ready_i = in.request_ready;
     r.axi_r_valid_i = in.fill_mshr >= 0;
@@ -62,7 +69,8 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
       r.axi_r_id_i = static_cast<uint8_t>(in.fill_mshr);
       std::memcpy(&r.axi_r_data_i, in.fill_data, line_bytes_);
     }
-    this->settle();
+    this->settle(settled);
+    settled_ = true;
     return {r.ray_ready_o != 0,
             r.hit_valid_o != 0,
             r.axi_ar_valid_o != 0,
@@ -80,6 +88,8 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
   size_t line_bytes_;
   uint64_t position_mask_, direction_mask_;
   int plane_bits_;
+  const MachineRay* ray_ = nullptr;  ///< at the inputs
+  bool settled_ = false;             ///< evaluated since the reset
 };
 
 }  // namespace cuesta::rtl

@@ -119,15 +119,27 @@ class VerilatedUnit : public Port {
 #endif
 
  protected:
-  /// The outputs of the cycle, with the clock low.
-  void settle() {
+  /// The outputs of the cycle, with the clock low. `settled`: they stand already, since the clock's last edge: no input
+  /// that they follow from within a cycle has changed, and the clock's fall alone is no event of the hardware's.
+  void settle(bool settled = false) {
     rtl_->clk_i = 0;
+    if constexpr (requires(V & v) { v.rootp->__Vtrigrprev__TOP__clk_i; }) {  // of Verilator 5.006
+      if (settled && !waves_open()) {
+        rtl_->rootp->__Vtrigrprev__TOP__clk_i = 0;
+        return;
+      }
+    }
     rtl_->eval();
 #ifdef CUESTA_RTL_WAVES
     if (waves_) [[unlikely]]
       waves_->dump(time_);
 #endif
   }
+#ifdef CUESTA_RTL_WAVES
+  bool waves_open() const { return waves_ != nullptr; }
+#else
+  bool waves_open() const { return false; }
+#endif
   V& rtl() { return *rtl_; }
   const V& rtl() const { return *rtl_; }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "Vhmt_top_bench.h"
+#include "Vhmt_top_bench___024root.h"
 #include "models/common/elementary.h"
 #include "models/common/random.h"
 #include "models/heightmap/generator.h"
