@@ -245,6 +245,17 @@ module ray_setup_engine #(
         logic [TimeBits-1:0] t_start, t_max, t_root, t_end;
         logic [SearchBits-1:0] cell_x, cell_y;
         logic [HmtLevelBits-1:0] low_x, low_y, high_x, high_y;
+        // What this window does not read: no wire without a driver.
+        {rising, falling, still_x, still_y, still_z} = '0;
+        {x0, y0, z0} = '0;
+        {dx, dy, dz} = '0;
+        {ex, ey, ez} = '0;
+        {div_x, div_y, div_z} = '0;
+        {mx, my, mz} = '0;
+        {ox, oy, oz} = '0;
+        {t_start, t_max, t_root, t_end} = '0;
+        {cell_x, cell_y} = '0;
+        {low_x, low_y, high_x, high_y} = '0;
         if (`HMT_READ(1, AtOffset - 1)) begin
           dx = comes ? `HMT_FROM.dx_q : dx_q;
           dy = comes ? `HMT_FROM.dy_q : dy_q;
