@@ -40,16 +40,23 @@ bool belongs_to_a_result(const fs::path& relative) {
          (relative.parent_path() == "planes" && relative.extension() == ".exr");
 }
 
+/// What a study's folder holds beside these.
+bool belongs_to_a_study(const fs::path& relative) {
+  const std::string name = relative.string();
+  return name == "README.md" || name == "times.json" || name == "pictures" ||
+         (relative.parent_path() == "pictures" && relative.extension() == ".png");
+}
+
 /// An empty folder, or one that a `commit` has made and nobody has added to.
 bool is_result_folder(const fs::path& path) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() != fs::file_type::directory) return false;
   if (fs::is_empty(path, error)) return true;
-  const bool study = is_there(path / "data.json");  // a study's folder holds a note of its own
+  const bool study = is_there(path / "data.json");
   if (!(study || is_there(path / "result.json")) || !is_there(path / "manifest.json")) return false;
   for (const auto& entry : fs::recursive_directory_iterator(path, error)) {
     const fs::path relative = entry.path().lexically_relative(path);
-    if (!belongs_to_a_result(relative) && !(study && relative == "README.md")) return false;
+    if (!belongs_to_a_result(relative) && !(study && belongs_to_a_study(relative))) return false;
   }
   return !error;
 }

@@ -29,7 +29,7 @@ std::string study_readme(const StudyData& data, const std::string& headline, boo
       "| `data.csv` | the same cases, a row each |\n"
       "| `report.html` | the page, made from the data alone; asks the network for nothing |\n";
   for (const StudyPicture& picture : data.pictures)
-    text += "| `" + picture.name + ".png` | " + picture.caption + " |\n";
+    text += "| `pictures/" + picture.name + ".png` | " + picture.caption + " |\n";
   if (timed)
     text += "| `times.json` | wall times, on the host and the day that it names; they differ each time |\n";
   text += "| `manifest.json` | version, commit, compiler, and under `environment` host and times |\n";

@@ -58,7 +58,8 @@ class StudyCommand : public Command {
     manifest.manifest.environment.emplace_back("wall_seconds", wall);
     manifest.manifest.environment.emplace_back("workers", std::to_string(workers_));
     if (study.pictures != nullptr) data.pictures = study.pictures(quick_);
-    for (const StudyPicture& picture : data.pictures) folder.write(picture.name + ".png", picture.png);
+    for (const StudyPicture& picture : data.pictures)
+      folder.write("pictures/" + picture.name + ".png", picture.png);
     const std::string headline = study.headline(data);
     folder.write("data.json", study_json(data));
     folder.write("data.csv", study_csv(data));

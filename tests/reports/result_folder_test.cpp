@@ -122,6 +122,19 @@ TEST_F(ResultFolderTest, NeverReplacesAResultThatSomebodyAddedTo) {
   EXPECT_EQ(text_of(root_ / "out/thesis.txt"), "mine");
 }
 
+TEST_F(ResultFolderTest, AStudyWithTimesAndPicturesIsReplacedAndOneWithMoreIsNot) {
+  const auto study = [&](bool overwrite) {
+    ResultFolder folder = ResultFolder::create(root_ / "study", overwrite);
+    for (const char* name : {"data.json", "manifest.json", "README.md", "times.json", "pictures/one.png"})
+      folder.write(name, "x");
+    folder.commit();
+  };
+  study(false);
+  study(true);
+  std::ofstream(root_ / "study/mine.png") << "x";
+  EXPECT_THROW(study(true), Error);
+}
+
 TEST_F(ResultFolderTest, RefusesNamesThatNoFolderCanHave) {
   EXPECT_EQ(code_of([&] { ResultFolder::create("", false); }), ExitCode::kUsage);
   EXPECT_EQ(code_of([&] { ResultFolder::create("/", true); }), ExitCode::kUsage);
