@@ -46,14 +46,22 @@ bool all_approximate(const Result& result, const RunGroup& group) {
                      [&](size_t index) { return approximate(result.runs[index]); });
 }
 
-/// Of the exact runs, where there are some, on the level of detail of the group's first run: others see other heights.
+/// Whose level of detail counts: the first exact run, or the first of all.
+const RunEntry& reference_run(const Result& result, const RunGroup& group) {
+  for (const size_t index : group.runs) {
+    if (!approximate(result.runs[index])) return result.runs[index];
+  }
+  return result.runs[group.runs.front()];
+}
+
+/// Of the exact runs, where there are some, on the level of detail of the reference: others see other heights.
 Best fewest(const Result& result, const RunGroup& group, std::string_view name) {
   Best best;
   double least = 0;
   const bool any = all_approximate(result, group);
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
-    if (level_of_detail(run) != level_of_detail(result.runs[group.runs.front()])) continue;
+    if (level_of_detail(run) != level_of_detail(reference_run(result, group))) continue;
     const auto value = number(run, name);
     if (!value || run.partial() || (!any && approximate(run))) continue;
     ++best.compared;
@@ -166,9 +174,9 @@ std::string headline(const Result& result) {
   std::string text = about_scenes(result, groups);
   for (const RunGroup& group : groups) {
     text += about_searches(result, group);
-    const std::string_view level = level_of_detail(result.runs[group.runs.front()]);
+    const std::string_view level = level_of_detail(reference_run(result, group));
     const auto elsewhere = std::count_if(group.runs.begin(), group.runs.end(), [&](size_t index) {
-      return level_of_detail(result.runs[index]) != level;
+      return !approximate(result.runs[index]) && level_of_detail(result.runs[index]) != level;
     });
     if (elsewhere > 0) {
       text += fmt::format(

@@ -64,7 +64,8 @@ constexpr std::array kRatios = {
     RatioDefinition{
         "wrong_rays", "Rays that are wrong", "fraction", "error.wrong", "machine.rays", -1,
         "Rays of a search that missed a hit, hit behind it or hit a wrong cell, over the rays of the "
-        "trace; exact algorithms have none."},
+        "trace; exact ones, which are not judged here, err by the "
+        "rounding of their numbers alone (study accuracy)."},
     RatioDefinition{"cycles_per_ray", "Cycles per ray", "cycles/ray", "machine.cycles", "machine.rays", -1,
                     "Machine cycles over the rays of the trace."},
     RatioDefinition{"rays_per_second", "Rays per second", "rays/s", "machine.rays", "machine.seconds", 1,

@@ -69,7 +69,8 @@ class SearchSource final : public StepSource {
         order_(order),
         arithmetic_(architecture.traverse.arithmetic),
         line_shift_(std::countr_zero(static_cast<unsigned>(architecture.height_l1.line_bytes))),
-        searcher_(*work.search, *work.search_map, work.map, number_format(architecture.traverse, work.map)) {}
+        searcher_(*work.search, *work.search_map, work.map, number_format(architecture.traverse, work.map),
+                  work.depth) {}
 
  private:
   void produce(Batch& batch) override {

@@ -13,10 +13,6 @@
 
 namespace cuesta {
 
-/// Depth of the slab over the width of a tile where nobody says otherwise: that of most scenes. Only the searches that
-/// ask for the view's angle use it (N.V: parallax-limited and the three of pom): a machine ray has lost it.
-inline constexpr double kUsualDepth = 0.1;
-
 /// Largest integer <= x; |x| < 2^62.
 template <class Real>
 int64_t floor_of(Real x) {

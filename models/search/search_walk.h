@@ -31,9 +31,9 @@ namespace cuesta {
 template <class Real>
 class Searcher {
  public:
-  /// Keeps a reference to `map`. `depth`: of the slab, in tile widths, where the view's angle is asked for.
+  /// Keeps a reference to `map`. `depth`: of the slab, in tile widths, where the view's angle is asked for (parallax-limited and the three of pom): a machine ray has lost it.
   Searcher(const Search& search, const SearchMap& map, const MapShape& shape, const NumberFormat& number,
-           double depth = kUsualDepth)
+           double depth)
       : search_(search),
         shape_(shape),
         format_(RealArithmetic<Real>::format(shape, number)),

@@ -305,7 +305,8 @@ std::string accuracy_headline(const StudyData& data) {
       "100 + 7 "
       "steps takes {} times as many and is wrong on {} % of the rays, cone stepping with at most 100 takes "
       "{} times as "
-      "many and is wrong on {} % (medians over {} views). A search that is right on 99 % of the rays takes "
+      "many and is wrong on {} % (lower medians over {} views). A search that is right on 99 % of the rays "
+      "takes "
       "fewer cycles "
       "than yun2013 in {} of {} classes of views.",
       depth, significant(exact_cost.median, 3), significant(figure(kExactOne, kGrazing).median, 2),

@@ -35,6 +35,7 @@ class CompareCommand : public Command {
     const auto algorithms = parse_algorithms(algorithms_);
     if (architectures_.empty()) architectures_.push_back("mobile");
     const auto machines = parse_architectures(architectures_, options_.settings, fidelity);
+    check_searches(algorithms, machines, host);
     if (scenes_.empty()) scenes_.push_back(scene_or_default("", options_));
     if (scenes_.size() > 1 && !options_.heightmap.empty()) {
       throw usage_error("--heightmap takes the place of one scene's heights, and " +

@@ -45,7 +45,8 @@ void add_algorithm_rows(std::span<const Algorithm> algorithms, Rows& rows) {
 /// The approximate ones, and how their parameters are given.
 void list_searches() {
   std::printf(
-      "\nApproximate (`searches`; `all+searches` are all): they may miss or misplace a hit, and a run counts "
+      "\nApproximate (`searches`; `all+parts+searches` are all): they may miss or misplace a hit, and a run "
+      "counts "
       "how "
       "often.\n");
   Rows rows = {{"id", "steps", "least", "refine", "source", "meaning"}};

@@ -48,6 +48,7 @@ class RunCommand : public Command {
       throw usage_error(
           "`cuesta run` takes one algorithm and one architecture; `cuesta compare` takes several.");
     }
+    check_searches(algorithms, machines, host);
     const CycleRunner cycle_runner = make_cycle_runner(session, host, vcd_, waves_, machines);
     const std::string scene = scene_or_default(scene_, options_);
     const SceneChanges changes = scene_changes(options_);

@@ -170,6 +170,26 @@ std::vector<ResolvedArchitecture> parse_architectures(const std::vector<std::str
   return found;
 }
 
+void check_searches(const std::vector<Algorithm>& algorithms,
+                    const std::vector<ResolvedArchitecture>& machines, Host host) {
+  for (const Algorithm& algorithm : algorithms) {
+    if (algorithm.exact()) continue;
+    if (host == Host::kSystemC) {
+      throw usage_error(
+          "--host systemc serves the bytes of the pyramid's image, and " + algorithm.id +
+          " is a search, which reads records of its own; accepted with it are exact algorithms.");
+    }
+    for (const ResolvedArchitecture& machine : machines) {
+      algorithm_on(algorithm, machine.architecture.traverse);
+      const UnitParameters& units = machine.architecture.units;
+      if (units.hmt_top == Implementation::kRtl || units.traverse == Implementation::kRtl) {
+        throw usage_error("The hardware (--fidelity rtl, [units]) has exact algorithms, and " + algorithm.id +
+                          " is a search; accepted with it are exact algorithms.");
+      }
+    }
+  }
+}
+
 std::string scene_or_default(const std::string& named, const RunOptions& options) {
   if (!named.empty()) return named;
   if (!options.heightmap.empty()) return "default";

@@ -48,6 +48,11 @@ std::vector<ResolvedArchitecture> parse_architectures(const std::vector<std::str
                                                       const std::vector<std::string>& settings,
                                                       Fidelity fidelity);
 
+/// Throws usage_error where a search cannot go: into hardware, into the systemc host, under a [traverse] section that
+/// speaks of a schedule.
+void check_searches(const std::vector<Algorithm>& algorithms,
+                    const std::vector<ResolvedArchitecture>& machines, Host host);
+
 /// The scene to use: `named`, or the built-in `default` where only a height map is given. Throws usage_error.
 std::string scene_or_default(const std::string& named, const RunOptions& options);
 

@@ -39,7 +39,7 @@ TEST_F(Searches, WhereTheyCannotGoTheyAreRefused) {
     Words words;
     const char* part;
   } cases[] = {
-      {{"--algorithm", "relief", "--fidelity", "rtl"}, "search"},
+      {{"--algorithm", "relief", "--fidelity", "rtl"}, "relief is a search"},
       {{"--algorithm", "cone", "--host", "systemc"}, "accepted with it are exact algorithms"},
       {{"--algorithm", "steep", "--set", "traverse.up=always"}, "which has none"},
       {{"--algorithm", "relief:steps=0"}, "`steps=0` is not an ending of relief"},
@@ -50,6 +50,11 @@ TEST_F(Searches, WhereTheyCannotGoTheyAreRefused) {
     all.insert(all.end(), words.begin(), words.end());
     expect_refusal(cuesta(all), 2, part, words[1]);
   }
+  // Before anything is run, and so without a result.
+  expect_refusal(
+      cuesta({"compare", "default", "--size", "16", "--algorithm", "dda,relief", "--fidelity", "rtl", "-q"}),
+      2, "relief is a search", "compare");
+  EXPECT_FALSE(std::filesystem::exists(path("results")));
 }
 
 }  // namespace

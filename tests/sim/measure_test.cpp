@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 #include "models/common/error.h"
 #include "models/heightmap/generator.h"
 #include "traces/ray_sets.h"
@@ -72,6 +75,25 @@ TEST(Measurer, SearchesReadAndFindTheSameInBothFidelitiesAndEveryRayHasOneVerdic
                                                     (named.id == "distance" ? 16 : 1));
       }
     }
+  }
+}
+
+TEST(Measurer, SearchesKnowTheDepthOfTheSlabAtBothFidelities) {
+  Job job = job_on(64, 64, AddressMode::kWrap);
+  for (const char* name : {"pom", "pom-printed", "pom-tatarchuk", "parallax-limited"}) {
+    std::set<std::string> digests;
+    for (const double depth : {0.02, 0.5}) {
+      job.scene.depth = depth;
+      Measurer measurer(job);
+      const Algorithm search = parse_algorithm(name);
+      const RunEntry plain = measurer.run(search, {}, Fidelity::kFunctional);
+      for (const Fidelity fidelity : {Fidelity::kTransaction, Fidelity::kCycle}) {
+        EXPECT_EQ(plain.hits_digest, measurer.run(search, {}, fidelity).hits_digest)
+            << name << " at " << depth;
+      }
+      digests.insert(plain.hits_digest);
+    }
+    EXPECT_EQ(digests.size(), 2u) << name;
   }
 }
 

@@ -175,10 +175,11 @@ TwinRun run_ticking(const RandomMachine& machine, std::vector<int> evaluation_or
     pixels.push_back(machine.pixels[k]);
   }
   const NumberFormat format = number_format(architecture.traverse, machine.map);
-  auto values = machine.search ? make_search_values(architecture.traverse.arithmetic, *machine.search,
-                                                    *machine.search_map, machine.map, format, rays)
-                               : make_ray_values(architecture, machine.pyramid, machine.map, format,
-                                                 work.schedule, rays);
+  auto values =
+      machine.search
+          ? make_search_values(architecture.traverse.arithmetic, *machine.search, *machine.search_map,
+                               machine.map, format, machine.depth, rays)
+          : make_ray_values(architecture, machine.pyramid, machine.map, format, work.schedule, rays);
   const uint64_t image_bytes = machine.search
                                    ? machine.search_map->size_bytes()
                                    : TexelLayout(architecture.texels.layout, machine.pyramid).size_bytes();

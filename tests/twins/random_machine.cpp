@@ -49,6 +49,7 @@ Workload RandomMachine::work() const {
   work.schedule = schedule;
   work.search = search;
   work.search_map = search_map.get();
+  work.depth = depth;
   return work;
 }
 
@@ -110,6 +111,7 @@ RandomMachine random_machine(uint64_t seed, int most_rays) {
   }
   if (machine.schedule.stop_level == 0 && random.chance(0.3)) {
     machine.search = random_search(random);
+    machine.depth = 0.01 * static_cast<double>(random.between(1, 100));
     machine.searched = std::make_shared<Pyramid>(machine.pyramid);
     machine.search_map =
         std::make_shared<SearchMap>(*machine.search, *machine.searched, machine.map.address_mode);

@@ -23,9 +23,10 @@ struct RandomMachine {
   Pyramid pyramid;
   MapShape map;
   Schedule schedule;
-  std::optional<Search> search;  ///< in the place of the schedule
+  std::optional<Search> search;             ///< in the place of the schedule
   std::shared_ptr<const Pyramid> searched;  ///< `pyramid`, in a place that does not change
   std::shared_ptr<const SearchMap> search_map;
+  double depth = 0.1;  ///< of the slab, in tile widths, for the search
   std::vector<MachineRay> rays;
   std::vector<uint32_t> pixels;
   int width = 1, height = 1;

@@ -70,9 +70,10 @@ template <class Real>
 class SearchRayValues final : public RayValues {
  public:
   SearchRayValues(Arithmetic arithmetic, const Search& search, const SearchMap& search_map,
-                  const MapShape& map, const NumberFormat& format, std::span<const MachineRay> rays)
+                  const MapShape& map, const NumberFormat& format, double depth,
+                  std::span<const MachineRay> rays)
       : arithmetic_(arithmetic),
-        searcher_(search, search_map, map, format),
+        searcher_(search, search_map, map, format, depth),
         rays_(rays),
         told_(rays.size()),
         done_(rays.size(), 0) {}
@@ -128,11 +129,13 @@ std::unique_ptr<RayValues> make_ray_values(const Architecture& architecture, con
 
 std::unique_ptr<RayValues> make_search_values(Arithmetic arithmetic, const Search& search,
                                               const SearchMap& search_map, const MapShape& map,
-                                              const NumberFormat& format, std::span<const MachineRay> rays) {
+                                              const NumberFormat& format, double depth,
+                                              std::span<const MachineRay> rays) {
   if (arithmetic == Arithmetic::kDouble) {
-    return std::make_unique<SearchRayValues<double>>(arithmetic, search, search_map, map, format, rays);
+    return std::make_unique<SearchRayValues<double>>(arithmetic, search, search_map, map, format, depth,
+                                                     rays);
   }
-  return std::make_unique<SearchRayValues<float>>(arithmetic, search, search_map, map, format, rays);
+  return std::make_unique<SearchRayValues<float>>(arithmetic, search, search_map, map, format, depth, rays);
 }
 
 }  // namespace cuesta::twins

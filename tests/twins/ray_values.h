@@ -36,6 +36,7 @@ std::unique_ptr<RayValues> make_ray_values(const Architecture& architecture, con
 /// Of a search, whose steps are asked for when a ray starts.
 std::unique_ptr<RayValues> make_search_values(Arithmetic arithmetic, const Search& search,
                                               const SearchMap& search_map, const MapShape& map,
-                                              const NumberFormat& format, std::span<const MachineRay> rays);
+                                              const NumberFormat& format, double depth,
+                                              std::span<const MachineRay> rays);
 
 }  // namespace cuesta::twins

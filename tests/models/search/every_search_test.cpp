@@ -40,7 +40,7 @@ void expect_sound(const SearchCase& c, const Search& search, const SearchMap& ma
   RecordingSink sink;
   sink.size_bytes = map.size_bytes();
   sink.most_reads = 4;
-  const Searcher<Real> searcher(search, map, c.shape, c.format);
+  const Searcher<Real> searcher(search, map, c.shape, c.format, 0.1);
   HitRecord fixed = searcher.trace(ray, Arithmetic::kFixed, sink);
   const auto t_end = (int64_t{1} << time_bits(c.shape, c.format)) - 1;
   EXPECT_GE(fixed.t, 0) << where;

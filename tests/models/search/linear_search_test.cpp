@@ -30,7 +30,7 @@ class OnFlat64 : public ::testing::Test {
   MachineRay ray = ray_from(c, 0.5, 0.5, 1, 1, 0.25, -4);
   const double truth = 1 - 64.0 / 255;
 
-  double share(const Search& search, double depth = kUsualDepth) {
+  double share(const Search& search, double depth = 0.1) {
     const SearchMap map(search, c.pyramid, c.shape.address_mode);
     const SearchAnswer answer = run_search<double>(c, search, map, ray, depth);
     EXPECT_EQ(answer.hit.status, HitStatus::kHit);

@@ -60,7 +60,7 @@ struct SearchAnswer {
 
 template <class Real>
 SearchAnswer run_search(const SearchCase& c, const Search& search, const SearchMap& map,
-                        const MachineRay& ray, double depth = kUsualDepth) {
+                        const MachineRay& ray, double depth = 0.1) {
   SearchAnswer answer;
   answer.sink.size_bytes = map.size_bytes();
   answer.sink.most_reads = search.filter == SearchFilter::kBilinear ? 4 : 1;
