@@ -74,9 +74,17 @@ void HmtTopUnit::configure() {
                         static_cast<uint64_t>(schedule.down) << 7 | static_cast<uint64_t>(schedule.up) << 9 |
                         static_cast<uint64_t>(schedule.stop_level) << 12 |
                         static_cast<uint64_t>(job_.layout.kind() == TexelLayoutKind::kMorton) << 16;
-  top_->write_register(kRegisterMode, mode);
-  top_->write_register(kRegisterTimeEnd, (uint64_t{1} << time_bits(map, format)) - 1);
-  top_->write_register(kRegisterRootBound, static_cast<uint64_t>(job_.work.pyramid->highest()));
+  const auto set = [this](int address, uint64_t value) {
+    top_->write_register(address, value);
+    const uint64_t held = top_->read_register(address);
+    if (held == value) return;
+    throw Error(ExitCode::kMismatch, "Register " + std::to_string(address) + " of hmt_top holds " +
+                                         std::to_string(held) + " after " + std::to_string(value) +
+                                         " was written: the hardware is not what rtl/README.md says.");
+  };
+  set(kRegisterMode, mode);
+  set(kRegisterTimeEnd, (uint64_t{1} << time_bits(map, format)) - 1);
+  set(kRegisterRootBound, static_cast<uint64_t>(job_.work.pyramid->highest()));
   for (int level = schedule.stop_level; level <= map.root_level; ++level) {
     top_->write_register(kRegisterLevelBase + level, job_.layout.offset(level, 0, 0));
   }
