@@ -1,10 +1,12 @@
+#include "sim/transaction_run.h"
+
 #include "models/common/error.h"
 #include "sim/cycle_machine.h"
 #include "sim/rtl/choose_set.h"
 
 namespace cuesta {
 
-Outcome run_transaction(const Workload& work, const Architecture& architecture, const Progress& progress) {
+void check_loosely_timed(const Architecture& architecture) {
   if (rtl::has_rtl(architecture)) {
     throw usage_error(
         "units." + std::string(architecture.units.hmt_top == Implementation::kRtl ? "hmt_top" : "traverse") +
@@ -12,6 +14,10 @@ Outcome run_transaction(const Workload& work, const Architecture& architecture, 
         "accepted "
         "with it is \"model\", or --fidelity cycle.");
   }
+}
+
+Outcome run_transaction(const Workload& work, const Architecture& architecture, const Progress& progress) {
+  check_loosely_timed(architecture);
   CycleHooks hooks;
   hooks.loosely_timed = true;
   return run_cycle_detailed(work, architecture, progress, hooks, nullptr);

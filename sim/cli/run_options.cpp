@@ -6,6 +6,7 @@
 
 #include "models/common/words.h"
 #include "sim/measure.h"
+#include "sim/transaction_run.h"
 
 namespace cuesta {
 
@@ -150,6 +151,7 @@ std::vector<ResolvedArchitecture> parse_architectures(const std::vector<std::str
   std::vector<ResolvedArchitecture> found;
   for (const std::string& name : split_at_commas(names)) {
     found.push_back(resolve_architecture(name, settings, fidelity != Fidelity::kFunctional));
+    if (fidelity == Fidelity::kTransaction) check_loosely_timed(found.back().architecture);
     if (fidelity == Fidelity::kRtl) {
       for (const std::string& setting : settings) {
         if (setting.starts_with("units."))
