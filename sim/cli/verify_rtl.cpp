@@ -131,6 +131,10 @@ class VerifyRtlCommand : public Command {
     const auto machines = parse_architectures({architecture_}, options_.settings, Fidelity::kCycle);
     if (algorithms.size() != 1 || machines.size() != 1)
       throw usage_error("`cuesta verify rtl` takes one algorithm and one architecture.");
+    if (!algorithms[0].exact()) {
+      throw usage_error("The hardware has exact algorithms, and " + algorithms[0].id +
+                        " is a search; accepted by `cuesta verify rtl` are exact algorithms and schedules.");
+    }
     LockstepCase one;
     one.machine.architecture = machines[0].architecture;
     if (!stalls_.empty()) one.machine.stalls = parse_stalls(stalls_, "--stalls");

@@ -61,6 +61,7 @@ TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
       {{"default", "--seconds", "3"}, "a scene is given"},
       {{"default", "--stalls", "1:0"}, "--stalls 1:0: accepted is SEED:"},
       {{"default", "--memory", "1:9,8,0"}, "--memory 1:9,8,0: accepted is SEED:"},
+      {{"default", "--algorithm", "relief"}, "relief is a search; accepted"},
       {{"default", "--size", "8", "--set", "traverse.contexts=48"}, "traverse.contexts is 48"},
       {{"default", "--size", "8", "--set", "traverse.arithmetic=float"}, "accepted is fixed"},
   };
