@@ -5,6 +5,7 @@
 #include "models/traversal/fetch.h"
 #include "models/traversal/lanes.h"
 #include "models/traversal/traversal.h"
+#include "sim/bilinear_run.h"
 #include "sim/machine.h"
 #include "sim/outcome.h"
 #include "sim/search_source.h"
@@ -73,14 +74,18 @@ Outcome run_functional(const Workload& work, const Architecture& architecture, c
   }
   const NumberFormat format = number_format(architecture.traverse, work.map);
   FetchCounts fetches;
+  const bool bilinear = work.map.surface == Surface::kBilinear;
   if (work.search) {
     outcome.finished_rays = search_all(work, architecture, progress, outcome.hits, fetches);
+  } else if (bilinear) {
+    outcome.finished_rays =
+        trace_bilinear(work, architecture.traverse.arithmetic, format, progress, outcome.hits, fetches);
   } else {
     outcome.finished_rays = with_traversal_types(
         architecture.traverse.arithmetic, work.map,
         [&]<class A, class G>() { return trace_all<A, G>(work, format, progress, outcome.hits, fetches); });
   }
-  if (!work.search && work.schedule.fetch == FetchRule::kTexel) {
+  if (!work.search && !bilinear && work.schedule.fetch == FetchRule::kTexel) {
     for (const HitRecord& hit : outcome.hits) fetches.add({hit.steps, hit.steps});
   }
   add_hit_measurements(work, outcome.hits, fetches, outcome.measurements);

@@ -51,6 +51,11 @@ void apply_changes(const SceneChanges& changes, Scene& scene) {
     scene.camera.angle_degrees = *changes.angle_degrees;
   }
   if (changes.depth) scene.depth = *changes.depth;
+  if (changes.surface) {
+    scene.surface = *changes.surface;
+    const std::string fault = fault_of_surface(scene.surface, scene.address_mode);
+    if (!fault.empty()) throw usage_error("--surface " + fault);
+  }
   if (changes.size) {
     scene.width = changes.size->first;
     scene.height = changes.size->second;
@@ -133,8 +138,12 @@ Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& chang
     need.map_height = map_height;
     check_memory(need);
   }));
-  job.map = {job.pyramid.width(0), job.pyramid.height(0), job.pyramid.root_level(), job.pyramid.bits(),
-             scene.address_mode};
+  job.map = {job.pyramid.width(0), job.pyramid.height(0), job.pyramid.root_level(),
+             job.pyramid.bits(),   scene.address_mode,    scene.surface};
+  if (scene.surface == Surface::kBilinear) {
+    job.pyramid = build_four_corner_pyramid(std::move(job.pyramid), scene.address_mode == AddressMode::kWrap);
+    job.heights_statement += ", bilinear between their middles";
+  }
 
   job.trace = make_rays(scene, job.map, changes.crop, watch);
   if (!scene.rays_file.empty()) {

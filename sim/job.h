@@ -21,6 +21,7 @@ struct SceneChanges {
   std::string rays_file;  ///< empty: the scene's own rays
   std::optional<double> angle_degrees;
   std::optional<double> depth;
+  std::optional<Surface> surface;
   std::optional<std::pair<int, int>> size;  ///< pixels
   std::optional<Crop> crop;
 };
@@ -30,7 +31,7 @@ struct SceneChanges {
 struct Job {
   Scene scene;
   MapShape map;
-  Pyramid pyramid;  ///< max
+  Pyramid pyramid;  ///< max; of a bilinear surface the four-corner pyramid
   RayTrace trace;
   std::vector<uint32_t> pixel_of_ray;  ///< y * width + x
   std::vector<Input> inputs;           ///< files that were read

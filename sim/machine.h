@@ -23,7 +23,8 @@ enum class Fidelity : uint8_t { kFunctional, kTransaction, kCycle, kRtl };
 
 /// One run's work: rays in the order of the trace.
 struct Workload {
-  const Pyramid* pyramid = nullptr;  ///< max pyramid; schedule.stop_level > 0: stopped there, with its means
+  const Pyramid* pyramid =
+      nullptr;  ///< max pyramid, or four-corner pyramid as map.surface is; schedule.stop_level > 0: stopped there, with its means
   MapShape map;
   std::span<const MachineRay> rays;
   std::span<const uint32_t> pixel_of_ray;  ///< y * width + x, as long as rays

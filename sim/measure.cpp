@@ -48,6 +48,13 @@ const std::vector<MachineRay>& Measurer::rays_for(const NumberFormat& format) {
 const Pyramid& Measurer::pyramid_for(const Algorithm& algorithm) {
   const int stop = algorithm.schedule.stop_level, root = job_.pyramid.root_level();
   if (stop == 0) return job_.pyramid;
+  if (job_.map.surface == Surface::kBilinear) {
+    throw usage_error(
+        "Algorithm " + algorithm.id + " stops at level " + std::to_string(stop) + ", and scene " +
+        job_.scene.name +
+        "'s surface is bilinear, whose leaves are the patches of level 0; accepted with it is stop "
+        "level 0.");
+  }
   if (stop > root) {
     throw usage_error("Algorithm " + algorithm.id + " stops at level " + std::to_string(stop) +
                       ", above the root of scene " + job_.scene.name + "'s map of " +

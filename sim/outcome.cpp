@@ -23,6 +23,18 @@ NumberFormat number_format(const TraverseParameters& traverse, const MapShape& m
                       std::to_string(map.root_level + format.tile_bits) +
                       " bits on this map; at most 60 and 29 are accepted.");
   }
+  if (map.surface == Surface::kBilinear && traverse.arithmetic == Arithmetic::kFixed) {
+    throw usage_error(
+        "The scene's surface is bilinear and traverse.arithmetic is fixed, the hardware's, which has no "
+        "bilinear "
+        "leaf; accepted with it are float, double: --set traverse.arithmetic=float.");
+  }
+  if (map.surface == Surface::kBilinear && format.fraction_bits == 0) {
+    throw usage_error(
+        "The scene's surface is bilinear and traverse.fraction_bits = 0 cannot hold the half texel by which "
+        "its "
+        "patches are shifted; accepted with it are 1 to 12.");
+  }
   return format;
 }
 

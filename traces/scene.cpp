@@ -120,6 +120,11 @@ void read_heightmap(const TomlTable& table, const std::string& folder, Scene& sc
 
 void read_surface(const TomlTable& table, Scene& scene) {
   scene.depth = table.real("depth", {1e-4, 10}, scene.depth);
+  static constexpr Named<Surface> kSurfaces[] = {{"texel", Surface::kTexel},
+                                                 {"bilinear", Surface::kBilinear}};
+  scene.surface = table.choice("kind", kSurfaces, scene.surface);
+  const std::string fault = fault_of_surface(scene.surface, scene.address_mode);
+  if (!fault.empty()) throw table.error("kind", fault);
   if (!table.has("tiles")) return;
   const std::vector<int64_t> tiles = table.integers("tiles", {1, kMostTiles}, 2);
   for (int axis = 0; axis < 2; ++axis) scene.tiles[axis] = static_cast<int>(tiles[static_cast<size_t>(axis)]);
@@ -202,6 +207,12 @@ Scene read_scene(const TomlDocument& document, const std::string& folder) {
 }
 
 }  // namespace
+
+std::string fault_of_surface(Surface surface, AddressMode mode) {
+  if (surface != Surface::kBilinear || mode != AddressMode::kMirror) return {};
+  return "is bilinear, and `heightmap.address_mode` is mirror, for whose turned tiles there are no patches; "
+         "accepted with bilinear: address_mode = \"wrap\", \"border\" or \"clamp\".";
+}
 
 Scene load_scene(const std::string& path) {
   Scene scene = read_scene(TomlDocument::read_file(path), std::filesystem::path(path).parent_path().string());

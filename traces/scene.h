@@ -37,6 +37,7 @@ struct Scene {
   HeightSource image;       ///< when `generated.kind` is empty; its path is already resolved
   GeneratedHeights generated;
   AddressMode address_mode = AddressMode::kWrap;
+  Surface surface = Surface::kTexel;
   double depth = 0.1;     ///< thickness of the slab in widths of a tile
   int tiles[2] = {1, 1};  ///< that the plane spans along u and v; 1, 1 in border mode
   CameraSettings camera;
@@ -44,6 +45,9 @@ struct Scene {
   std::string rays_file;          ///< .rays or .csv in the place of camera and image; may be empty
   RaySet ray_set;                 ///< likewise; no kind: none. One of camera, file and set
 };
+
+/// What is wrong with a bilinear surface in this address mode, as the end of a sentence; empty: nothing.
+std::string fault_of_surface(Surface surface, AddressMode mode);
 
 /// Reads a scene file. Throws usage_error with file, line, key, what was found and what is accepted.
 Scene load_scene(const std::string& path);

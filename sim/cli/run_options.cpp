@@ -33,6 +33,10 @@ void RunOptions::declare(CLI::App& app) {
   app.add_option("--angle", angle_degrees,
                  "The camera's angle to the surface's normal: 0 front to 89.9 grazing");
   app.add_option("--depth", depth, "Thickness of the relief in widths of a tile: 0.0001 to 10");
+  app.add_option(
+      "--surface", surface,
+      "What the heights mean, in the place of the scene's surface.kind: texel (each texel is flat) or "
+      "bilinear (patches between the texels' middles; in float and double)");
   app.add_option("--size", size, "Pixels: 256 or 640x480");
   app.add_option("--crop", crop, "Only the pixels x,y,width,height of the frame");
   app.add_option("-o,--output", folder, "Result folder; default: the next free results/SCENE-ALGORITHM-NNN");
@@ -86,6 +90,16 @@ std::pair<int, int> parse_size(const std::string& text) {
   return {sides[0], sides[1]};
 }
 
+Surface parse_surface(const std::string& text) {
+  for (const Surface surface : {Surface::kTexel, Surface::kBilinear}) {
+    if (text == name_of(surface)) return surface;
+  }
+  static constexpr std::string_view kNames[] = {"texel", "bilinear"};
+  const std::string near = did_you_mean(text, kNames);
+  throw usage_error("There is no surface `" + printable(text) + "`; accepted are " + joined(kNames) +
+                    (near.empty() ? "." : near));
+}
+
 std::optional<double> in_range(const char* option, std::optional<double> value, double low, double high) {
   if (!value || (*value >= low && *value <= high)) return value;
   throw usage_error(std::string(option) + " is " + shortest_text(*value) + "; accepted is a number from " +
@@ -100,6 +114,7 @@ SceneChanges scene_changes(const RunOptions& options) {
   changes.rays_file = options.rays_file;
   changes.angle_degrees = in_range("--angle", options.angle_degrees, 0, 89.9);
   changes.depth = in_range("--depth", options.depth, 1e-4, 10);
+  if (!options.surface.empty()) changes.surface = parse_surface(options.surface);
   if (!options.size.empty()) changes.size = parse_size(options.size);
   if (!options.crop.empty()) changes.crop = parse_crop(options.crop);
   return changes;

@@ -19,7 +19,7 @@ struct RunOptions {
   std::string fidelity = "cycle";
   std::string host = "direct";
   std::vector<std::string> settings;
-  std::string heightmap, rays_file, crop, size;
+  std::string heightmap, rays_file, crop, size, surface;
   std::optional<double> angle_degrees, depth;
   std::string folder;  ///< -o; empty: the next free one below results/
   bool json = false;
