@@ -117,6 +117,12 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
   work.schedule = algorithm.schedule;
   if (algorithm.search) {
     work.search = algorithm.search;
+    if (job_.map.surface == Surface::kBilinear) {
+      throw usage_error(
+          "Algorithm " + algorithm.id + " is a search, and scene " + job_.scene.name +
+          "'s surface is bilinear, against which searches are not judged; accepted with it are exact "
+          "algorithms, or surface.kind = \"texel\" (a search filters by its own ending :bilinear).");
+    }
     work.search_map = &search_map_for(*algorithm.search);
     work.depth = job_.scene.depth;
   }

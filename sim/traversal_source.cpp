@@ -84,8 +84,7 @@ std::unique_ptr<StepSource> make_traversal_source(const Workload& work, const Ar
                                                   const TexelLayout& layout,
                                                   const std::vector<uint32_t>& order) {
   if (work.search) return make_search_source(work, architecture, order);
-  if (work.map.surface == Surface::kBilinear)
-    return make_bilinear_source(work, architecture, layout, order);
+  if (work.map.surface == Surface::kBilinear) return make_bilinear_source(work, architecture, layout, order);
   return with_traversal_types(
       architecture.traverse.arithmetic, work.map, [&]<class A, class G>() -> std::unique_ptr<StepSource> {
         return std::make_unique<TraversalSource<A, G>>(work, architecture, layout, order);

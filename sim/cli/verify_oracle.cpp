@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/oracle/bilinear_check.h"
 #include "models/oracle/precision_check.h"
 #include "models/oracle/traversal_check.h"
 #include "sim/cli/progress.h"
@@ -50,6 +51,16 @@ class VerifyOracleCommand : public Command {
                    "the lattice")
         ->check(CLI::Range(int64_t{0}, int64_t{1000000000}))
         ->capture_default_str();
+    app.add_option(
+           "--bilinear-rays", bilinear_rays_,
+           "Rays over bilinear surfaces; each is walked under the same schedules in float and double. A "
+           "tenth of them, in fans, is swept across the borders of patches")
+        ->check(CLI::Range(int64_t{0}, int64_t{1000000000}))
+        ->capture_default_str();
+    app.add_option("--bilinear-exact-rays", bilinear_exact_rays_,
+                   "Rays over bilinear surfaces whose answer is held against exact arithmetic")
+        ->check(CLI::Range(int64_t{0}, int64_t{1000000000}))
+        ->capture_default_str();
     app.add_option("--seed", seed_, "Seed of maps and rays")->capture_default_str();
     app.add_option("--max-side", max_side_, "Longest side of a map, texels")
         ->check(CLI::Range(1, 1024))
@@ -82,9 +93,23 @@ class VerifyOracleCommand : public Command {
                               "set up, with seed {}; the first is decoded above.",
                               inexact, seed_));
     }
+    const BilinearCheck walks = check_bilinear(session, "bilinear", bilinear_rays_, check_bilinear_walks);
+    const BilinearCheck borders =
+        check_bilinear(session, "bilinear, borders", bilinear_rays_ / 10, check_bilinear_borders);
+    const BilinearCheck exact =
+        check_bilinear(session, "bilinear, exact", bilinear_exact_rays_, check_bilinear_exactly);
+    print(walks, borders, exact);
+    if (!walks.passed() || !borders.passed()) {
+      throw Error(
+          ExitCode::kMismatch,
+          fmt::format("verify oracle: on bilinear surfaces {} mismatches, {} endless walks, {} borders "
+                      "on which two patches disagree and {} gaps, with seed {}; the first is decoded "
+                      "above.",
+                      walks.mismatches, walks.endless, borders.border_differences, borders.gaps, seed_));
+    }
     fmt::print("verify oracle: {} rays, {} comparisons, 0 mismatches, 0 endless walks, 0 oracle errors{}\n",
-               counts.rays + free.rays + lattice.rays, counts.comparisons,
-               stopped_ ? "; stopped before the end" : "");
+               counts.rays + free.rays + lattice.rays + walks.rays + borders.rays + exact.rays,
+               counts.comparisons + walks.comparisons, stopped_ ? "; stopped before the end" : "");
     return stopped_ ? ExitCode::kIncomplete : ExitCode::kOk;
   }
 
@@ -131,6 +156,55 @@ class VerifyOracleCommand : public Command {
         [](const PrecisionCheck&) { return true; });
   }
 
+  template <class Check>
+  BilinearCheck check_bilinear(const Session& session, const char* what, int64_t rays, Check&& check) {
+    return in_batches<BilinearCheck>(
+        session, what, rays,
+        [this, &check](uint64_t batch, int64_t size) {
+          const int side = batch % 4 == 3 ? max_side_ : std::max(1, max_side_ / 4);
+          return check(Random::mix(seed_ ^ (batch << 20)), size, side);
+        },
+        [](const BilinearCheck& counts) { return counts.passed(); });
+  }
+
+  static void print(const BilinearCheck& walks, const BilinearCheck& borders, const BilinearCheck& exact) {
+    if (walks.rays > 0) {
+      fmt::print("\nbilinear surfaces: {} maps, {} rays (", walks.maps, walks.rays);
+      for (const AddressMode mode : {AddressMode::kBorder, AddressMode::kWrap, AddressMode::kClamp}) {
+        fmt::print("{} {}{}", name_of(mode), walks.rays_by_mode[static_cast<size_t>(mode)],
+                   mode == AddressMode::kClamp ? "" : ", ");
+      }
+      fmt::print(
+          "), {} of them hit\nevery schedule against dda, in float and in double (hit, cell, t, face):\n",
+          walks.hits);
+      fmt::print("  {} comparisons, {} mismatches, {} endless walks\n", walks.comparisons, walks.mismatches,
+                 walks.endless);
+    }
+    if (borders.rays > 0) {
+      fmt::print("{} rays in fans across borders and corners of patches, in float and in double:\n",
+                 borders.rays);
+      fmt::print(
+          "  {} borders crossed, {} on which the two patches disagree; {} rays fall to the floor, {} find "
+          "no surface\n",
+          borders.borders, borders.border_differences, borders.falling, borders.gaps);
+    }
+    for (const BilinearCheck* c : {&walks, &borders}) {
+      if (!c->first_failure.empty()) fmt::print("first failure: {}\n", c->first_failure);
+    }
+    if (exact.rays == 0) return;
+    fmt::print("dda over {} rays, {} of them hit, against exact arithmetic:\n", exact.rays, exact.hits);
+    print_head("as quantised at the input");
+    constexpr std::string_view kNames[] = {"float", "double"};
+    for (size_t a = 0; a < exact.exact.size(); ++a) print_row(kNames[a], exact.exact[a].verdicts);
+    for (size_t a = 0; a < exact.exact.size(); ++a) {
+      const BilinearCheck::Exact& e = exact.exact[a];
+      fmt::print(
+          "  {}: of {} times {} within 4 ulps, the largest error {:.4g} ulps; the farthest from the surface "
+          "{:.3g} LSBs\n",
+          kNames[a], e.times, e.within_4, e.largest_ulps, e.largest_height);
+    }
+  }
+
   static void print(const TraversalCheck& c) {
     fmt::print("{} maps, {} rays, {} of them hit\n", c.maps, c.rays, c.hits);
     for (size_t mode = 0; mode < c.rays_by_mode.size(); ++mode) {
@@ -168,6 +242,8 @@ class VerifyOracleCommand : public Command {
 
   int64_t rays_ = 25000;
   int64_t precision_rays_ = 10000;
+  int64_t bilinear_rays_ = 5000;
+  int64_t bilinear_exact_rays_ = 2000;
   uint64_t seed_ = 1;
   int max_side_ = 96;
   int threads_ = 1;

@@ -27,6 +27,19 @@ TEST_F(CommandLine, HostSystemcGivesTheDigestOfHostDirectAndSaysThatItRan) {
   EXPECT_EQ(digest_in(read("systemc/result.json")), digest);
 }
 
+TEST_F(CommandLine, HostSystemcRunsABilinearSurfaceLikeHostDirect) {
+  write("small.toml", kSmallScene);
+  for (const char* host : {"direct", "systemc"}) {
+    const ProgramResult result = cuesta({"run", "small.toml", "--surface", "bilinear", "--set",
+                                         "traverse.arithmetic=float", "--host", host, "-q", "-o", host});
+    ASSERT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+  }
+  const std::string digest = digest_in(read("direct/result.json"));
+  ASSERT_EQ(digest.size(), 64u);
+  EXPECT_EQ(digest_in(read("systemc/result.json")), digest);
+}
+
 TEST_F(CommandLine, VcdHoldsTheSignalsAndChangesNothing) {
   write("small.toml", kSmallScene);
   const ProgramResult plain = cuesta({"run", "small.toml", "-q", "-o", "plain"});

@@ -153,6 +153,42 @@ TEST(HitJudge, KnowsTheTruthAndWhatLiesBeforeBehindAndBeside) {
   EXPECT_GT(judge.judge(before, Arithmetic::kFixed).counts.count(Verdict::kWrongCell), hits * 9 / 10);
 }
 
+TEST(Measurer, BothFidelitiesFindTheSameHitsAndFetchesOnABilinearSurface) {
+  for (const AddressMode mode : {AddressMode::kBorder, AddressMode::kWrap, AddressMode::kClamp}) {
+    for (const int width : {64, 45}) {
+      Job job = job_on(width, 64, mode);
+      job.map.surface = Surface::kBilinear;
+      job.pyramid = build_four_corner_pyramid(std::move(job.pyramid), mode == AddressMode::kWrap);
+      Measurer measurer(job);
+      EXPECT_THROW(measurer.run(parse_algorithm("relief"), {}, Fidelity::kFunctional), Error);
+      for (const char* name : {"dda", "yun2013", "oh2006:quad", "root:common:never"}) {
+        const Algorithm algorithm = parse_algorithm(name);
+        Architecture machine;
+        machine.traverse.arithmetic = Arithmetic::kFloat;
+        const RunEntry plain = measurer.run(algorithm, machine, Fidelity::kFunctional);
+        const RunEntry timed = measurer.run(algorithm, machine, Fidelity::kCycle);
+        EXPECT_EQ(plain.hits_digest, timed.hits_digest) << name;
+        const Counters &counters = plain.measurements.counters, &in_time = timed.measurements.counters;
+        EXPECT_GT(counters.get("machine.hits"), 50);
+        for (const char* counter :
+             {"machine.steps", "machine.fetches", "machine.fetched_texels", "machine.texel_bytes"}) {
+          EXPECT_EQ(counters.get(counter), in_time.get(counter)) << name;
+        }
+        // The plain walk visits leaves alone: four samples each but at the edge that is repeated.
+        const int64_t steps = counters.get("machine.steps"), texels = counters.get("machine.fetched_texels");
+        if (algorithm.id == "dda" && mode == AddressMode::kWrap) {
+          EXPECT_EQ(texels, 4 * steps);
+        } else {
+          EXPECT_GT(texels, steps);
+          EXPECT_LT(texels, 4 * steps);
+        }
+        // A step whose samples lie in several lines takes a slot for each.
+        EXPECT_GT(in_time.sum("traverse", "slots_part"), 0);
+      }
+    }
+  }
+}
+
 TEST(Measurer, QuadsLeaveHitsAndStepsAndSaveFetchesUnlessEveryCrossingGoesUp) {
   // In border mode: a ray that crosses from tile to tile on the root, the only one there, keeps it.
   const Job job = job_on(64, 64, AddressMode::kBorder);

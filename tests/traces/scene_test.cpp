@@ -25,6 +25,7 @@ normalise = "range"
 range = [-4.5, 921]
 address_mode = "wrap"
 [surface]
+kind = "bilinear"
 depth = 0.35
 tiles = [3, 2]
 [camera]
@@ -47,6 +48,7 @@ height = 480
   EXPECT_EQ(scene.image.low, -4.5);
   EXPECT_EQ(scene.image.high, 921);
   EXPECT_EQ(scene.address_mode, AddressMode::kWrap);
+  EXPECT_EQ(scene.surface, Surface::kBilinear);
   EXPECT_EQ(scene.depth, 0.35);
   EXPECT_EQ(scene.tiles[0], 3);
   EXPECT_EQ(scene.tiles[1], 2);
@@ -66,6 +68,7 @@ TEST(Scene, OtherFormsArrive) {
       "[camera]\nposition = [0.5, 2, 1]\nlook_at = [0.5, 0.5, 0]\n",
       "a.toml", "");
   EXPECT_EQ(scene.name, "a");
+  EXPECT_EQ(scene.surface, Surface::kTexel);
   EXPECT_EQ(scene.generated.kind, "rocks");
   EXPECT_EQ(scene.generated.width, 64);
   EXPECT_EQ(scene.generated.height, 64);
@@ -118,6 +121,9 @@ TEST(Scene, MistakesNameFileLineKeyAndWhatIsAccepted) {
   expect(kHeightmap + "[surface]\ndepth = 0\n", {"a.toml:4", "surface.depth"});
   expect(kHeightmap + "[surface]\ndepth = nan\n", {"a.toml:4", "surface.depth"});
   expect(kHeightmap + "[surface]\ntiles = [1, 2, 3]\n", {"a.toml:4"});
+  expect(kHeightmap + "[surface]\nkind = \"bilinar\"\n", {"a.toml:4", "surface.kind", "`bilinear`"});
+  expect(kHeightmap + "address_mode = \"mirror\"\n[surface]\nkind = \"bilinear\"\n",
+         {"a.toml:5", "surface.kind", "\"wrap\", \"border\" or \"clamp\""});
   expect(kHeightmap + "[surface]\ntiles = [0, 1]\n", {"a.toml:4"});
   expect(kHeightmap + "address_mode = \"border\"\n[surface]\ntiles = [2, 1]\n", {"a.toml:5", "border"});
   expect(kHeightmap + "[camera]\nangle_degrees = 90\n", {"a.toml:4", "89.9"});

@@ -130,6 +130,27 @@ TEST(Pyramid, AStoppedOneHoldsTheMeansAtItsLevelTheMaximaAboveAndTheWholeMapsHig
   }
 }
 
+TEST(Pyramid, AFourCornerOneBoundsThePatchesBetweenTheSamplesOfItsLevelZero) {
+  // Node (1, 0, 0) holds patches 0 and 1 of both axes, whose samples are all nine; the others the last patches.
+  const HeightGrid grid{3, 3, 8, {9, 2, 3, 4, 5, 6, 1, 8, 7}};
+  const Pyramid wraps = build_four_corner_pyramid(build_max_pyramid(grid), true);
+  const Pyramid repeats = build_four_corner_pyramid(build_max_pyramid(grid), false);
+  for (const Pyramid* pyramid : {&wraps, &repeats}) {
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(pyramid->at(0, i, j), grid.at(i, j));
+    }
+    EXPECT_EQ(pyramid->at(1, 0, 0), 9);
+    EXPECT_EQ(pyramid->at(2, 0, 0), 9);
+    EXPECT_EQ(pyramid->highest(), 9);
+  }
+  EXPECT_EQ(wraps.at(1, 0, 1), 9);    // rows 2 and 0
+  EXPECT_EQ(repeats.at(1, 0, 1), 8);  // row 2 alone
+  EXPECT_EQ(wraps.at(1, 1, 0), 9);    // columns 2 and 0
+  EXPECT_EQ(repeats.at(1, 1, 0), 7);  // column 2 alone, rows 0 to 2
+  EXPECT_EQ(wraps.at(1, 1, 1), 9);    // the corner: 7, 1, 3, 9
+  EXPECT_EQ(repeats.at(1, 1, 1), 7);
+}
+
 TEST(Pyramid, MeanOfALargeFlatMapOfFullScaleDoesNotOverflow) {
   HeightGrid grid{4096, 2049, 16, {}};
   grid.texels.assign(size_t{4096} * 2049, 65535);
