@@ -28,6 +28,28 @@ std::string_view name_of(Fidelity fidelity) {
   return kNames[static_cast<size_t>(fidelity)];
 }
 
+void check_surface(const Scene& scene, const Algorithm& named, const Architecture& architecture) {
+  if (scene.surface == Surface::kTexel) return;
+  const Algorithm algorithm = algorithm_on(named, architecture.traverse);
+  const int stop = algorithm.schedule.stop_level;
+  if (stop > 0) {
+    throw usage_error(
+        "Algorithm " + algorithm.id + " stops at level " + std::to_string(stop) + ", and scene " +
+        scene.name +
+        "'s surface is bilinear, whose leaves are the patches of level 0; accepted with it is stop "
+        "level 0.");
+  }
+  if (algorithm.search) {
+    throw usage_error(
+        "Algorithm " + algorithm.id + " is a search, and scene " + scene.name +
+        "'s surface is bilinear, against which searches are not judged; accepted with it are exact "
+        "algorithms, or surface.kind = \"texel\" (a search filters by its own ending :bilinear).");
+  }
+  MapShape map;
+  map.surface = scene.surface;
+  number_format(architecture.traverse, map);
+}
+
 std::string Measurer::steps_free_digest(const std::vector<HitRecord>& hits) {
   Digest digest;
   for (const HitRecord& hit : hits) add_answer(digest, hit);
@@ -48,13 +70,6 @@ const std::vector<MachineRay>& Measurer::rays_for(const NumberFormat& format) {
 const Pyramid& Measurer::pyramid_for(const Algorithm& algorithm) {
   const int stop = algorithm.schedule.stop_level, root = job_.pyramid.root_level();
   if (stop == 0) return job_.pyramid;
-  if (job_.map.surface == Surface::kBilinear) {
-    throw usage_error(
-        "Algorithm " + algorithm.id + " stops at level " + std::to_string(stop) + ", and scene " +
-        job_.scene.name +
-        "'s surface is bilinear, whose leaves are the patches of level 0; accepted with it is stop "
-        "level 0.");
-  }
   if (stop > root) {
     throw usage_error("Algorithm " + algorithm.id + " stops at level " + std::to_string(stop) +
                       ", above the root of scene " + job_.scene.name + "'s map of " +
@@ -106,6 +121,7 @@ void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Archite
 
 RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture, Fidelity fidelity,
                        const Progress& progress) {
+  check_surface(job_.scene, named, architecture);
   const Algorithm algorithm = algorithm_on(named, architecture.traverse);
   Workload work;
   work.pyramid = &pyramid_for(algorithm);
@@ -117,12 +133,6 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
   work.schedule = algorithm.schedule;
   if (algorithm.search) {
     work.search = algorithm.search;
-    if (job_.map.surface == Surface::kBilinear) {
-      throw usage_error(
-          "Algorithm " + algorithm.id + " is a search, and scene " + job_.scene.name +
-          "'s surface is bilinear, against which searches are not judged; accepted with it are exact "
-          "algorithms, or surface.kind = \"texel\" (a search filters by its own ending :bilinear).");
-    }
     work.search_map = &search_map_for(*algorithm.search);
     work.depth = job_.scene.depth;
   }

@@ -23,6 +23,10 @@ std::string_view name_of(Fidelity fidelity);
 using CycleRunner = std::function<Outcome(const Workload& work, std::span<const TracedRay> rays,
                                           const Architecture& architecture, const Progress& progress)>;
 
+/// Throws usage_error where the scene's surface does not go with the algorithm or with the machine's numbers: what a
+/// bilinear one lacks. Needs no heights.
+void check_surface(const Scene& scene, const Algorithm& named, const Architecture& architecture);
+
 /// Runs algorithms on machines over one job, and holds every run against what must be true of it.
 class Measurer {
  public:

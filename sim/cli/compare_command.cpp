@@ -42,6 +42,12 @@ class CompareCommand : public Command {
                         std::to_string(scenes_.size()) + " scenes are given; accepted is one.");
     }
     const SceneChanges changes = scene_changes(options_);
+    for (const std::string& scene : scenes_) {
+      for (const ResolvedArchitecture& machine : machines) {
+        for (const Algorithm& algorithm : algorithms)
+          check_surface(changed_scene(scene, changes), algorithm, machine.architecture);
+      }
+    }
     Result result = begin_result("compare", session);
     result.manifest.environment.emplace_back("simulation_host", options_.host);
     const CycleRunner cycle_runner = make_cycle_runner(session, host, "", {}, machines);

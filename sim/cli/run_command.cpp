@@ -52,6 +52,7 @@ class RunCommand : public Command {
     const CycleRunner cycle_runner = make_cycle_runner(session, host, vcd_, waves_, machines);
     const std::string scene = scene_or_default(scene_, options_);
     const SceneChanges changes = scene_changes(options_);
+    check_surface(changed_scene(scene, changes), algorithms[0], machines[0].architecture);
     Result result = begin_result("run", session);
     result.manifest.environment.emplace_back("simulation_host", options_.host);
     ResultFolder folder = open_result_folder(

@@ -157,7 +157,7 @@ TEST(Measurer, BothFidelitiesFindTheSameHitsAndFetchesOnABilinearSurface) {
   for (const AddressMode mode : {AddressMode::kBorder, AddressMode::kWrap, AddressMode::kClamp}) {
     for (const int width : {64, 45}) {
       Job job = job_on(width, 64, mode);
-      job.map.surface = Surface::kBilinear;
+      job.map.surface = job.scene.surface = Surface::kBilinear;
       job.pyramid = build_four_corner_pyramid(std::move(job.pyramid), mode == AddressMode::kWrap);
       Measurer measurer(job);
       EXPECT_THROW(measurer.run(parse_algorithm("relief"), {}, Fidelity::kFunctional), Error);
@@ -179,8 +179,9 @@ TEST(Measurer, BothFidelitiesFindTheSameHitsAndFetchesOnABilinearSurface) {
         if (algorithm.id == "dda" && mode == AddressMode::kWrap) {
           EXPECT_EQ(texels, 4 * steps);
         } else {
-          EXPECT_GT(texels, steps);
-          EXPECT_LT(texels, 4 * steps);
+          // With quads a ray keeps siblings, so that most of its steps above the leaves read nothing.
+          if (algorithm.schedule.fetch == FetchRule::kTexel) EXPECT_GT(texels, steps) << name;
+          EXPECT_LT(texels, 4 * steps) << name;
         }
         // A step whose samples lie in several lines takes a slot for each.
         EXPECT_GT(in_time.sum("traverse", "slots_part"), 0);
