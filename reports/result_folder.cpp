@@ -5,10 +5,12 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <utility>
 
 #include "models/common/error.h"
@@ -47,16 +49,28 @@ bool belongs_to_a_study(const fs::path& relative) {
          (relative.parent_path() == "pictures" && relative.extension() == ".png");
 }
 
+/// What an adversary's folder holds: a case with its scene.
+bool belongs_to_a_case(const fs::path& relative) {
+  static constexpr const char* kFiles[] = {"case.toml", "scene.toml", "map.png", "rays.csv", "README.md"};
+  return std::any_of(std::begin(kFiles), std::end(kFiles),
+                     [&](const char* file) { return relative == file; });
+}
+
 /// An empty folder, or one that a `commit` has made and nobody has added to.
 bool is_result_folder(const fs::path& path) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() != fs::file_type::directory) return false;
   if (fs::is_empty(path, error)) return true;
-  const bool study = is_there(path / "data.json");
-  if (!(study || is_there(path / "result.json")) || !is_there(path / "manifest.json")) return false;
+  const bool study = is_there(path / "data.json"), found = is_there(path / "case.toml");
+  if (!found && (!(study || is_there(path / "result.json")) || !is_there(path / "manifest.json")))
+    return false;
   for (const auto& entry : fs::recursive_directory_iterator(path, error)) {
     const fs::path relative = entry.path().lexically_relative(path);
-    if (!belongs_to_a_result(relative) && !(study && belongs_to_a_study(relative))) return false;
+    if (found ? belongs_to_a_case(relative)
+              : belongs_to_a_result(relative) || (study && belongs_to_a_study(relative))) {
+      continue;
+    }
+    return false;
   }
   return !error;
 }

@@ -34,6 +34,8 @@ constexpr Verb kVerbs[] = {
      "cuesta verify rtl --seconds 60 --workers 2", make_verify_rtl_command},
     {"verify laws", "Holds every algorithm on every machine against the conservation laws of the accounting.",
      "cuesta verify laws --size 64", make_verify_laws_command},
+    {"adversary", "Searches for the map and the rays that are worst for an algorithm.",
+     "cuesta adversary --algorithm yun2013 --maximise steps --tries 2000 -o worst", make_adversary_command},
 };
 
 struct Group {

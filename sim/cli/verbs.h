@@ -27,5 +27,6 @@ std::unique_ptr<Command> make_list_command();
 std::unique_ptr<Command> make_verify_oracle_command();
 std::unique_ptr<Command> make_verify_rtl_command();
 std::unique_ptr<Command> make_verify_laws_command();
+std::unique_ptr<Command> make_adversary_command();
 
 }  // namespace cuesta

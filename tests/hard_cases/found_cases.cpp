@@ -30,6 +30,8 @@ std::vector<FoundCase> found_cases() {
     found.folder = entry.path().string();
     found.algorithm = root.text("algorithm");
     found.maximise = root.text("maximise");
+    found.architecture = root.text("architecture");
+    found.settings = root.texts("settings", false);
     found.unit = root.text("unit");
     found.score = root.real("score");
     found.leaf_walk = root.real("leaf_walk");

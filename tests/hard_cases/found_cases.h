@@ -11,7 +11,9 @@ struct FoundCase {
   std::string folder;  ///< with its path
   std::string algorithm;
   std::string maximise;  ///< steps, cycles or error
-  std::string unit;      ///< of the score
+  std::string architecture;
+  std::vector<std::string> settings;
+  std::string unit;  ///< of the score
   double score = 0;
   double leaf_walk = 0;  ///< what the leaf walk scores on the same case
   std::string command;   ///< that found it
