@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 
 #include "models/common/error.h"
 #include "tests/hard_cases/hard_cases.h"
@@ -67,6 +69,41 @@ void run_family(const HardRays& family, const HardPlace& place, uint64_t seed, H
   }
 }
 
+/// Prints where the leaf walk in an arithmetic is not exact for the ray as quantised: rounding alone.
+class ByFamily {
+ public:
+  void add(const HardRays& family, const HardCounts& counts) {
+    for (size_t a = 0; a < std::size(kRows); ++a) {
+      const auto row = counts.rows.find(kRows[a]);
+      if (row == counts.rows.end()) continue;
+      for (size_t v = 0; v < kVerdicts; ++v) {
+        const int64_t now = row->second.verdicts.of[v];
+        of_[family.name][a].of[v] += now - before_[a].of[v];
+        before_[a].of[v] = now;
+      }
+    }
+  }
+  void print() const {
+    for (const auto& [name, rows] : of_) {
+      for (size_t a = 0; a < std::size(kRows); ++a) {
+        const VerdictCounts& row = rows[a];
+        if (row.total() == row.count(Verdict::kExact)) continue;
+        std::printf("%-28s %s: of %lld, tie %lld, missed %lld, behind %lld, wrong cell %lld\n",
+                    std::string(name).c_str(), kRows[a], static_cast<long long>(row.total()),
+                    static_cast<long long>(row.count(Verdict::kTie)),
+                    static_cast<long long>(row.count(Verdict::kMissed)),
+                    static_cast<long long>(row.count(Verdict::kBehind)),
+                    static_cast<long long>(row.count(Verdict::kWrongCell)));
+      }
+    }
+  }
+
+ private:
+  static constexpr const char* kRows[] = {"dda fixed", "dda float", "dda double"};
+  std::array<VerdictCounts, 3> before_;
+  std::map<std::string_view, std::array<VerdictCounts, 3>> of_;
+};
+
 void expect_no_fault(const HardCounts& counts) {
   EXPECT_EQ(counts.faults(), 0) << counts.first_failure;
   std::printf("%s", describe(counts).c_str());
@@ -76,6 +113,7 @@ void expect_no_fault(const HardCounts& counts) {
 template <class Check>
 HardCounts over_the_catalogue(bool with_searches, Check&& check) {
   HardCounts counts;
+  ByFamily by_family;
   uint64_t seed = 1;
   for (const HardMap& map : hard_maps()) {
     for (const AddressMode mode : kModes) {
@@ -88,16 +126,23 @@ HardCounts over_the_catalogue(bool with_searches, Check&& check) {
           run_family(family, {checker.grid(), checker.shape(), format}, seed++, counts,
                      [&](const TracedRay& ray) { check(checker, ray, counts); });
           if (counts.faults() > 0) return counts;
+          by_family.add(family, counts);
         }
       }
     }
   }
+  by_family.print();
   return counts;
 }
 
 TEST(HardCases, ExactAlgorithmsFindWhatExactArithmeticFinds) {
-  expect_no_fault(over_the_catalogue(false, [](HardChecker& checker, const TracedRay& ray,
-                                               HardCounts& counts) { checker.check_exact(ray, 0, counts); }));
+  const HardCounts counts = over_the_catalogue(
+      false,
+      [](HardChecker& checker, const TracedRay& ray, HardCounts& all) { checker.check_exact(ray, 0, all); });
+  expect_no_fault(counts);
+  // Of doubles one ray in 10,000 at most may see an edge otherwise; all conventions are theirs as well.
+  const VerdictCounts& verdicts = counts.rows.at("dda double").verdicts;
+  EXPECT_LE(verdicts.total() - verdicts.count(Verdict::kExact), 1 + verdicts.total() / 10000);
 }
 
 TEST(HardCases, ApproximateAlgorithmsEndAndKeepWhatTheyPromise) {
@@ -134,7 +179,7 @@ TEST(HardCases, AMillionTilesAreWalkedToTheirEnd) {
     const NumberFormat format = far_numbers().of(shape);
     HardChecker checker(map->make(), mode, format, true);
     run_family(far_rays(), {checker.grid(), checker.shape(), format}, 5, counts, [&](const TracedRay& ray) {
-      if (kSlow && ray.id > 0) return;
+      if (kSlow && (ray.id > 0 || mode != AddressMode::kWrap)) return;
       checker.check_exact(ray, 0, counts);
       if (ray.id > 0) return;
       checker.check_searches(ray, counts);
