@@ -100,7 +100,14 @@ std::string figures(const Result& result, const RunGroup& group, const Best& bes
   return text;
 }
 
-/// The approximate run with the fewest wrong rays, beside the best exact one.
+/// Wrong or without an answer, over the rays.
+double astray(const RunEntry& run) {
+  double share = 0;
+  for (const char* name : {"wrong_rays", "nan_rays", "endless_rays"}) share += ratio(run, name).value_or(0);
+  return share;
+}
+
+/// The approximate run with the fewest rays astray, beside the best exact one.
 std::string about_searches(const Result& result, const RunGroup& group) {
   const RunEntry* closest = nullptr;
   size_t searches = 0;
@@ -108,10 +115,10 @@ std::string about_searches(const Result& result, const RunGroup& group) {
     const RunEntry& run = result.runs[index];
     if (run.partial() || !approximate(run)) continue;
     ++searches;
-    if (closest == nullptr || ratio(run, "wrong_rays") < ratio(*closest, "wrong_rays")) closest = &run;
+    if (closest == nullptr || astray(run) < astray(*closest)) closest = &run;
   }
   if (closest == nullptr) return "";
-  const double wrong = ratio(*closest, "wrong_rays").value_or(0);
+  const double wrong = astray(*closest);
   std::string text =
       searches == 1
           ? fmt::format(" On {} {} is approximate: {} of its rays are wrong", group.scene,

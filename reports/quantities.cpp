@@ -66,6 +66,14 @@ constexpr std::array kRatios = {
         "Rays of a search that missed a hit, hit behind it or hit a wrong cell, over the rays of the "
         "trace; exact ones, which are not judged here, err by the "
         "rounding of their numbers alone (study accuracy)."},
+    RatioDefinition{
+        "nan_rays", "Rays that end at NaN", "fraction", "error.nan", "machine.rays", -1,
+        "Rays of a search as printed whose place is no number, over the rays of the trace; not among "
+        "those that are wrong."},
+    RatioDefinition{
+        "endless_rays", "Rays that do not end", "fraction", "error.unfinished", "machine.rays", -1,
+        "Rays of a search as printed that did not end within its steps, over the rays of the trace; not "
+        "among those that are wrong."},
     RatioDefinition{"cycles_per_ray", "Cycles per ray", "cycles/ray", "machine.cycles", "machine.rays", -1,
                     "Machine cycles over the rays of the trace."},
     RatioDefinition{"rays_per_second", "Rays per second", "rays/s", "machine.rays", "machine.seconds", 1,

@@ -21,7 +21,8 @@ struct Column {
 };
 
 constexpr Column kColumns[] = {
-    {"wrong_rays", "wrong", "rays", "", "exact"}, {"steps_per_ray", "steps", "/ray", ""},
+    {"wrong_rays", "wrong", "rays", "", "exact"}, {"nan_rays", "NaN", "rays", ""},
+    {"endless_rays", "endless", "rays", ""},      {"steps_per_ray", "steps", "/ray", ""},
     {"", "", "vs oh2006", "steps_per_ray"},       {"machine.cycles", "cycles", "", ""},
     {"", "", "vs oh2006", "machine.cycles"},      {"rays_per_second", "rays", "/s", ""},
     {"frames_per_second", "frames", "/s", ""},    {"step_utilisation", "slots", "stepping", ""},

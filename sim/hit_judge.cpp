@@ -72,13 +72,18 @@ Judgement HitJudge::judge(std::span<const HitRecord> hits, Arithmetic arithmetic
     const HitRecord& hit = hits[k];
     const MachineRay& ray = work_.rays[k];
     const bool is_hit = hit.status == HitStatus::kHit;
+    if (hit.status == HitStatus::kNotANumber || hit.status == HitStatus::kDidNotFinish) {
+      ++(hit.status == HitStatus::kNotANumber ? judgement.not_numbers : judgement.unfinished);
+      judgement.verdicts.emplace_back();
+      continue;
+    }
     Verdict verdict = Verdict::kExact;
     if (!same_answer(hit, truth_[k])) {
       const ExactRay<Int128> exact = exact_ray(ray, work_.map, format_, OracleInput::kMachineInput);
       verdict = cuesta::judge(exact, map_, exact_hit(k, exact),
                               {is_hit, hit.i, hit.j, is_hit ? time_of(hit, arithmetic) : 0.0});
     }
-    judgement.verdicts.push_back(verdict);
+    judgement.verdicts.emplace_back(verdict);
     judgement.counts.add(verdict);
     if (!is_hit || truth_[k].status != HitStatus::kHit) continue;
     const double apart = std::abs(time_of(hit, arithmetic) - time_of(truth_[k], Arithmetic::kDouble)) * unit;

@@ -13,8 +13,14 @@ namespace cuesta {
 
 /// How the hits of an approximate search stand to the true ones, ray by ray.
 struct Judgement {
-  std::vector<Verdict> verdicts;  ///< per ray, in the order of the trace
+  /// Per ray, in the order of the trace; nothing for one that ended without an answer.
+  std::vector<std::optional<Verdict>> verdicts;
   VerdictCounts counts;
+  int64_t not_numbers = 0, unfinished = 0;  ///< rays without an answer
+
+  bool wrong(size_t ray) const {
+    return verdicts[ray] && *verdicts[ray] != Verdict::kExact && *verdicts[ray] != Verdict::kTie;
+  }
   /// Of the rays that hit and truly hit: how far along the ray the found place lies from the true one, as the
   /// difference in height (height LSBs) and on the plane (texels).
   std::vector<double> height_errors, texel_errors;

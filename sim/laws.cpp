@@ -80,8 +80,17 @@ std::vector<std::string> broken_laws(const Workload& work, const Architecture& a
   if (outcome.finished_rays < work.rays.size()) return {};
   const Counters& counters = outcome.measurements.counters;
   Laws laws(counters);
-  laws.equal("rays = hits + misses", laws.get("machine.rays"),
-             laws.get("machine.hits") + laws.get("machine.misses"));
+  int64_t without_answer = 0;
+  for (const HitRecord& hit : outcome.hits)
+    without_answer += hit.status == HitStatus::kNotANumber || hit.status == HitStatus::kDidNotFinish;
+  laws.equal("rays = hits + misses + rays of a printed search without an answer", laws.get("machine.rays"),
+             laws.get("machine.hits") + laws.get("machine.misses") +
+                 (work.search && is_printed(work.search->kind) ? without_answer : 0));
+  if (counters.all().count("error.exact") != 0) {
+    laws.equal("rays = verdicts + rays without an answer", laws.get("machine.rays"),
+               laws.get("error.exact") + laws.get("error.tie") + laws.get("error.wrong") +
+                   laws.get("error.nan") + laws.get("error.unfinished"));
+  }
   laws.equal("rays of the trace = hit records", static_cast<int64_t>(work.rays.size()),
              laws.get("machine.rays"));
   if (!work.search && work.schedule.fetch == FetchRule::kTexel) {

@@ -93,9 +93,10 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
     hit += record.status == HitStatus::kHit;
     miss += record.status == HitStatus::kMiss;
     dead += record.status == HitStatus::kMiss && record.steps == 0;
-    unfinished += record.status == HitStatus::kDidNotFinish;
+    const bool early = record.status == HitStatus::kDidNotFinish && record.steps == 0;
+    unfinished += early;
     steps += record.steps;
-    if (record.status != HitStatus::kDidNotFinish) per_ray.push_back(record.steps);
+    if (!early) per_ray.push_back(record.steps);
   }
   counters.set("machine.rays", static_cast<int64_t>(hits.size()) - unfinished);
   counters.set("machine.hits", hit);
@@ -151,6 +152,10 @@ void add_error_measurements(const Workload& work, const Judgement& judgement, Me
   counters.set("error.behind", count(Verdict::kBehind));
   counters.set("error.wrong_cell", count(Verdict::kWrongCell));
   counters.set("error.wrong", count(Verdict::kMissed) + count(Verdict::kBehind) + count(Verdict::kWrongCell));
+  if (is_printed(work.search->kind)) {
+    counters.set("error.nan", judgement.not_numbers);
+    counters.set("error.unfinished", judgement.unfinished);
+  }
   const PreprocessingCost& cost = work.search_map->cost();
   counters.set("preprocessing.texels_read", static_cast<int64_t>(cost.texels_read));
   counters.set("preprocessing.records", static_cast<int64_t>(cost.records_written));
@@ -164,10 +169,7 @@ void add_error_measurements(const Workload& work, const Judgement& judgement, Me
   };
   add("height_error", judgement.height_errors);
   add("texel_error", judgement.texel_errors);
-  measurements.planes.push_back(plane_of(work, "plane.wrong", [&](size_t k) {
-    const Verdict verdict = judgement.verdicts[k];
-    return verdict != Verdict::kExact && verdict != Verdict::kTie;
-  }));
+  measurements.planes.push_back(plane_of(work, "plane.wrong", [&](size_t k) { return judgement.wrong(k); }));
 }
 
 void add_answer(Digest& digest, const HitRecord& hit) {

@@ -24,9 +24,15 @@ constexpr StatisticDefinition kDefinitions[] = {
     {"error.behind", "rays", "Rays of a search that hit another cell than the true one, and later."},
     {"error.exact", "rays", "Rays of a search that hit the true cell, or rightly miss."},
     {"error.missed", "rays", "Rays of a search that miss, and truly hit."},
+    {"error.nan", "rays",
+     "Rays of a search as printed that ended at no place: a coordinate NaN, infinite, or beyond a hit "
+     "record's; not among "
+     "error.wrong."},
     {"error.tie", "rays",
      "Rays of a search whose answer is the true one if touching counts as a hit, or edges are closed on the "
      "other side."},
+    {"error.unfinished", "rays",
+     "Rays of a search as printed that did not end within its steps; not among error.wrong."},
     {"error.wrong", "rays", "Rays of a search that missed, are behind, or hit a wrong cell."},
     {"error.wrong_cell", "rays",
      "Rays of a search that hit where nothing is, or another cell than the true one and earlier."},
@@ -89,7 +95,8 @@ constexpr StatisticDefinition kDefinitions[] = {
      "to the machine's cycles, as rays overlap."},
     {"plane.steps", "steps", "Node visits of the pixel's rays."},
     {"plane.wrong", "rays", "The pixel's rays that missed, are behind, or hit a wrong cell: error.wrong."},
-    {"preprocessing.bytes", "bytes", "Bytes of the map that a search reads: one record per texel."},
+    {"preprocessing.bytes", "bytes",
+     "Bytes of the map that a search reads: one record per texel; of one as printed, the pyramid's image."},
     {"preprocessing.records", "records", "Records that the making of a search's map wrote."},
     {"preprocessing.texels_read", "texels", "Texels that the making of a search's map read."},
     {"ray_dispatch.rays", "rays", "Rays sent to the pipelines."},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <vector>
 
 #include "models/common/error.h"
@@ -77,6 +78,16 @@ constexpr auto kRows = std::to_array<SearchRow>({
      true,
      "Baboud & Decoret 2006; numbers of steps ours",
      "march by the radius in which a ray crosses the surface once at most, then binary search"},
+    {"ki2007-printed",
+     {.kind = kKi2007Printed, .steps = 1000, .delta = 500},
+     false,
+     "Ki & Oh 2007, listings, as printed; most steps ours",
+     "pyramidal displacement mapping with its faults: 0 / 0, and an offset at every crossing"},
+    {"drobot2009-printed",
+     {.kind = kDrobot2009Printed, .steps = 1000, .delta = 500},
+     false,
+     "Drobot 2009, reconstructed from public copies of its talk's pseudo code and sample; most steps ours",
+     "quadtree displacement mapping with its faults: as ki2007-printed, and up one level at every crossing"},
 });
 
 /// A number that a row may leave to the user.
@@ -94,13 +105,50 @@ std::vector<Choice> choices(const SearchRow& row) {
   return list;
 }
 
+/// A word that a row accepts.
+struct Flag {
+  std::string_view name;
+  bool Search::*member;
+};
+
+std::vector<Flag> flags(const SearchRow& row) {
+  if (!is_printed(row.search.kind)) return {};
+  if (row.search.kind == kKi2007Printed) return {{"linear", &Search::linear}, {"slope", &Search::slope}};
+  return {{"slope", &Search::slope}};
+}
+
+/// 500 -> "0.5"
+std::string thousandths_text(int value) {
+  std::string text = std::to_string(value / 1000);
+  std::string digits = std::to_string(1000 + value % 1000).substr(1);
+  while (!digits.empty() && digits.back() == '0') digits.pop_back();
+  return digits.empty() ? text : text + "." + digits;
+}
+
+/// "0.5" -> 500; nothing for any other text than whole digits, a point and three digits at most.
+std::optional<int> thousandths(std::string_view text) {
+  const size_t point = std::min(text.find('.'), text.size());
+  std::string digits(text.substr(0, point));
+  const std::string_view after = text.substr(std::min(text.size(), point + 1));
+  if (digits.empty() || after.size() > 3 || (point < text.size() && after.empty())) return std::nullopt;
+  digits += after;
+  digits.append(3 - after.size(), '0');
+  int value = -1;
+  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (digits[0] == '-' || fault != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return value;
+}
+
 std::string accepted_endings(const SearchRow& row) {
   std::string text;
   for (const Choice& choice : choices(row)) {
     text += std::string(choice.name) + "=N (" + std::to_string(choice.low) + " to " +
             std::to_string(choice.high) + "), ";
   }
-  return text + "bilinear";
+  if (!is_printed(row.search.kind)) return text + "bilinear";
+  text += "delta=TEXELS (0 to " + thousandths_text(kMostDelta) + ", three places at most)";
+  for (const Flag& flag : flags(row)) text += ", " + std::string(flag.name);
+  return text;
 }
 
 }  // namespace
@@ -125,6 +173,10 @@ std::string name_of(const Search& search) {
       name += ":" + std::string(choice.name) + "=" + std::to_string(value);
   }
   if (search.filter == SearchFilter::kBilinear) name += ":bilinear";
+  if (search.delta != row.search.delta) name += ":delta=" + thousandths_text(search.delta);
+  for (const Flag& flag : flags(row)) {
+    if (search.*flag.member) name += ":" + std::string(flag.name);
+  }
   return name;
 }
 
@@ -143,7 +195,21 @@ Search parse_search(std::string_view text) {
       }
     }
     given.push_back(name);
-    if (word == "bilinear") {
+    const std::vector<Flag> words_alone = flags(*row);
+    const auto flag = std::ranges::find(words_alone, word, &Flag::name);
+    if (flag != words_alone.end()) {
+      search.*(flag->member) = true;
+      continue;
+    }
+    const bool printed = is_printed(row->search.kind);
+    if (printed && name == "delta") {
+      const auto delta = thousandths(word.substr(std::min(word.size(), name.size() + 1)));
+      if (delta && *delta <= kMostDelta) {
+        search.delta = *delta;
+        continue;
+      }
+    }
+    if (word == "bilinear" && !printed) {
       search.filter = SearchFilter::kBilinear;
       continue;
     }

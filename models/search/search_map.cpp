@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "models/common/error.h"
 #include "models/search/preprocessing.h"
 
 namespace cuesta {
@@ -68,12 +70,28 @@ SearchMap::SearchMap(const Search& search, const Pyramid& max_pyramid, AddressMo
       record_bytes_ = 1;
       layers_ = kDistanceLayers;
       break;
+    case SearchKind::kKi2007Printed:
+    case SearchKind::kDrobot2009Printed:
+      check_map(search, width_, height_, mode);
+      image_.emplace(TexelLayoutKind::kRowMajor, max_pyramid);
+      return;
     default:
       return;  // the height grid itself
   }
   record_bytes_ = static_cast<int>(std::bit_ceil(static_cast<unsigned>(record_bytes_)));
   cost_.records_written = texels() * static_cast<uint64_t>(layers_);
   cost_.bytes = cost_.texels_read * texel_bytes + size_bytes();
+}
+
+void check_map(const Search& search, int width, int height, AddressMode mode) {
+  if (!is_printed(search.kind)) return;
+  if (mode == AddressMode::kWrap && width == height && std::has_single_bit(static_cast<unsigned>(width)))
+    return;
+  throw usage_error(name_of(search) +
+                    " reads its map as the listing's repeated texture of 2^n x 2^n texels, and the map is " +
+                    std::to_string(width) + " x " + std::to_string(height) + " texels, " +
+                    std::string(name_of(mode)) +
+                    "; accepted are square powers of two with address mode wrap.");
 }
 
 }  // namespace cuesta

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "models/heightmap/pyramid.h"
+#include "models/heightmap/texel_layout.h"
 #include "models/search/search.h"
 #include "models/traversal/machine_ray.h"
 
@@ -31,9 +33,10 @@ inline constexpr int kDistanceLayers = 16;  ///< Donnelly 2005
 ///   safety-radius        a radius, rounded down: (byte / 255)^2 longer tile sides
 ///   normal               instead of the height: 3 bytes of unit normal, (n + 1) / 2 * 255, rounded to nearest
 ///   distance             instead of the height: 16 layers, one after the other, each a byte a texel
+/// The printed kinds read the max pyramid's own image, row_major (TexelLayout), and nothing else.
 class SearchMap {
  public:
-  /// Keeps a reference to `max_pyramid`, which has its leaf level.
+  /// Keeps a reference to `max_pyramid`, which has its leaf level. Throws usage_error as check_map.
   SearchMap(const Search& search, const Pyramid& max_pyramid, AddressMode mode);
 
   int width() const { return width_; }
@@ -42,11 +45,17 @@ class SearchMap {
   AddressMode address_mode() const { return mode_; }
   int record_bytes() const { return record_bytes_; }
   int layers() const { return layers_; }
-  uint64_t size_bytes() const { return texels() * static_cast<uint64_t>(record_bytes_ * layers_); }
+  int root_level() const { return pyramid_->root_level(); }
+  uint64_t size_bytes() const {
+    return image_ ? image_->size_bytes() : texels() * static_cast<uint64_t>(record_bytes_ * layers_);
+  }
   /// Where the record of texel (i, j) begins; 0 <= i < width, 0 <= j < height.
   uint64_t offset(int i, int j, int layer = 0) const {
     return (static_cast<uint64_t>(layer) * texels() + index(i, j)) * static_cast<uint64_t>(record_bytes_);
   }
+  /// Of the printed kinds: where node (level, i, j) of the pyramid lies, and its height.
+  uint64_t offset_at(int level, int i, int j) const { return image_->offset(level, i, j); }
+  uint16_t node_at(int level, int i, int j) const { return pyramid_->at(level, i, j); }
   const PreprocessingCost& cost() const { return cost_; }
 
   uint16_t height_at(int i, int j) const { return heights_[index(i, j)]; }
@@ -70,8 +79,12 @@ class SearchMap {
   int record_bytes_ = 1;
   int layers_ = 1;
   std::vector<uint8_t> added_;
+  std::optional<TexelLayout> image_;
   PreprocessingCost cost_;
 };
+
+/// Throws usage_error where a search cannot go: the printed kinds need a square power of two, repeated.
+void check_map(const Search& search, int width, int height, AddressMode mode);
 
 /// The texel of the map that stands for `index` (any integer) on an axis of `size` texels. border: as clamp; who asks
 /// has made sure that it lies inside.

@@ -5,6 +5,7 @@
 
 #include "models/search/leaping_search.h"
 #include "models/search/linear_search.h"
+#include "models/search/printed_search.h"
 #include "models/search/search.h"
 #include "models/search/search_map.h"
 #include "models/search/search_ray.h"
@@ -26,8 +27,9 @@ namespace cuesta {
 ///   parallax-limited    the same without the division: N.V times as far (Welsh 2004, printed).
 ///   steep, pom-printed, pom, pom-tatarchuk, relief, interval: linear_search.h.
 ///   cone, relaxed-cone, distance, safety-radius: leaping_search.h.
-/// A ray that is not descending is a miss without a step for normal, parallax and parallax-limited, whose formulas have
-/// no meaning for it; of a descending one they miss nothing but what lies beyond t_max or, in border mode, the map.
+///   ki2007-printed, drobot2009-printed: printed_search.h; in float, whatever `Real` is.
+/// A ray that is not descending is a miss without a step for normal, parallax, parallax-limited and the printed ones, whose
+/// formulas have no meaning for it; of a descending one they miss nothing but what lies beyond t_max or, in border mode, the map.
 template <class Real>
 class Searcher {
  public:
@@ -35,6 +37,7 @@ class Searcher {
   Searcher(const Search& search, const SearchMap& map, const MapShape& shape, const NumberFormat& number,
            double depth)
       : search_(search),
+        number_(number),
         shape_(shape),
         format_(RealArithmetic<Real>::format(shape, number)),
         surface_(map, search.filter),
@@ -50,6 +53,11 @@ class Searcher {
     const SearchRay<Real> ray = make_search_ray<Real>(input, shape_, format_);
     if (!ray.alive) return record;
     Counting<Sink> counted{sink, 0};
+    if (is_printed(search_.kind)) {
+      if (ray.descending()) trace_printed(input, ray, times, counted, record);
+      record.steps = counted.steps;
+      return record;
+    }
     const SearchFound<Real> found = find(ray, counted);
     record.steps = counted.steps;
     if (!found.found) return record;
@@ -74,6 +82,29 @@ class Searcher {
       ++steps;
     }
   };
+
+  /// The listings know no t_max: what lies there is a miss. What lies before the ray's start is found at its start.
+  template <class Sink>
+  void trace_printed(const MachineRay& input, const SearchRay<Real>& ray, Arithmetic times, Sink& sink,
+                     HitRecord& record) const {
+    const double texel = 1.0 / shape_.width;
+    const auto delta = static_cast<float>(search_.delta / 1000.0 * texel * depth_);
+    const PrintedFound found =
+        printed_search(search_, make_printed_ray(input, shape_, number_), surface_.map(), delta, sink);
+    if (found.end != PrintedEnd::kFound) {
+      record.status =
+          found.end == PrintedEnd::kNotANumber ? HitStatus::kNotANumber : HitStatus::kDidNotFinish;
+      return;
+    }
+    const Real height = static_cast<Real>(shape_.full_scale()) * (1 - static_cast<Real>(found.place.z));
+    const Real t = std::max<Real>(0, ray.reaches(height));
+    if (!(t < ray.t_max)) return;
+    record.status = HitStatus::kHit;
+    record.face = HitFace::kTop;
+    record.i = static_cast<int32_t>(found.i);
+    record.j = static_cast<int32_t>(found.j);
+    record.t = time_in_record(t, times, format_);
+  }
 
   template <class Sink>
   SearchFound<Real> find(const SearchRay<Real>& ray, Sink& sink) const {
@@ -119,6 +150,7 @@ class Searcher {
   SearchCells<Real> cells(const SearchRay<Real>& ray) const { return {ray, shape_, format_}; }
 
   Search search_;
+  NumberFormat number_;
   MapShape shape_;
   typename RealArithmetic<Real>::Format format_;
   SearchSurface<Real> surface_;

@@ -4,7 +4,9 @@
 
 namespace cuesta {
 
-enum class HitStatus : uint8_t { kMiss = 0, kHit = 1, kDidNotFinish = 2 };
+/// kDidNotFinish: the run was ended early (0 steps), or a search as printed gave up after its most steps. kNotANumber:
+/// such a search ended at no place. Both have zeros after `status`, except `steps`, as a miss.
+enum class HitStatus : uint8_t { kMiss = 0, kHit = 1, kDidNotFinish = 2, kNotANumber = 3 };
 
 enum class HitFace : uint8_t { kNone = 0, kTop = 1, kWallX = 2, kWallY = 3, kInside = 4 };
 

@@ -219,7 +219,14 @@ class ScheduleReader {
 std::span<const Algorithm> algorithms() { return std::span(rows()).first(published_rows()); }
 std::span<const Algorithm> algorithm_parts() { return std::span(rows()).subspan(published_rows()); }
 
-std::span<const Algorithm> searches() { return search_algorithms(); }
+std::span<const Algorithm> searches() {
+  const std::span<const Algorithm> all = search_algorithms();
+  return all.first(static_cast<size_t>(SearchKind::kKi2007Printed));
+}
+std::span<const Algorithm> printed_searches() {
+  const std::span<const Algorithm> all = search_algorithms();
+  return all.subspan(static_cast<size_t>(SearchKind::kKi2007Printed));
+}
 
 const Algorithm* find_algorithm(std::string_view id) {
   for (const std::vector<Algorithm>* list : {&rows(), &search_algorithms()}) {

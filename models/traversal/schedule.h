@@ -71,8 +71,10 @@ std::span<const Algorithm> algorithms();
 /// The parts of yun2013 and yun2013-coherent, each alone: oh2006 with one thing changed.
 std::span<const Algorithm> algorithm_parts();
 
-/// The approximate algorithms with their default parameters, in the order of SearchKind.
+/// The approximate algorithms with their default parameters, in the order of SearchKind: those that are meant to be
+/// right, and those as printed.
 std::span<const Algorithm> searches();
+std::span<const Algorithm> printed_searches();
 
 /// A published algorithm, a part or a search; nullptr when there is none of that name.
 const Algorithm* find_algorithm(std::string_view id);

@@ -42,7 +42,8 @@ std::string number_plot(const Result& result, const RunGroup& group, const Ratio
   for (size_t index : group.runs) {
     const auto value = ratio(result.runs[index], definition.name);
     if (!value || definition.better == 0 || result.runs[index].partial()) continue;
-    if (quantity(result.runs[index], "error.wrong") && definition.name != "wrong_rays")
+    if (quantity(result.runs[index], "error.wrong") && definition.name != "wrong_rays" &&
+        definition.name != "nan_rays" && definition.name != "endless_rays")
       continue;  // no fair race
     if (!best || (*value - *best) * definition.better > 0) best = value;
   }

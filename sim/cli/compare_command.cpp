@@ -18,9 +18,10 @@ class CompareCommand : public Command {
   void declare(CLI::App& app) override {
     app.add_option("scenes", scenes_,
                    "Scene files, or names of built-in scenes; `default` with --heightmap alone");
-    app.add_option("--algorithm", algorithms_,
-                   "Several, joined by commas: names out of `cuesta list algorithms`, schedules such as "
-                   "root:common:never:quad, all (default: every exact one), parts, searches, all+searches")
+    app.add_option(
+           "--algorithm", algorithms_,
+           "Several, joined by commas: names out of `cuesta list algorithms`, schedules such as "
+           "root:common:never:quad, all (default: every exact one), parts, searches, printed, all+searches")
         ->allow_extra_args(false);
     app.add_option("--arch", architectures_,
                    "Presets or architecture files, joined by commas; default: mobile")
@@ -107,6 +108,9 @@ class CompareCommand : public Command {
                           const std::vector<ResolvedArchitecture>& machines, Fidelity fidelity,
                           const CycleRunner& cycle_runner, Result& result) {
     Measurer measurer(job, cycle_runner);
+    for (const ResolvedArchitecture& machine : machines) {
+      for (const Algorithm& algorithm : algorithms) measurer.check(algorithm, machine.architecture);
+    }
     for (const ResolvedArchitecture& machine : machines) {
       for (const Algorithm& algorithm : distinct_on(machine.architecture, algorithms)) {
         if (stop_requested()) return;

@@ -45,19 +45,36 @@ void add_algorithm_rows(std::span<const Algorithm> algorithms, Rows& rows) {
 /// The approximate ones, and how their parameters are given.
 void list_searches() {
   std::printf(
-      "\nApproximate (`searches`; `all+parts+searches` are all): they may miss or misplace a hit, and a run "
+      "\nApproximate (`searches`; `all+parts+searches+printed` are all): they may miss or misplace a hit, "
+      "and a run "
       "counts "
       "how "
       "often.\n");
   Rows rows = {{"id", "steps", "least", "refine", "source", "meaning"}};
   const auto number = [](int value) { return value > 0 ? std::to_string(value) : std::string("-"); };
   for (const SearchRow& row : search_rows()) {
+    if (is_printed(row.search.kind)) continue;
     rows.push_back({std::string(row.id), number(row.search.steps), number(row.search.least_steps),
                     number(row.search.refinements), std::string(row.source), std::string(row.meaning)});
   }
   print_rows(rows);
-  std::printf("\nWith other parameters: %s.\nExamples: relief:steps=64:refine=5, cone:bilinear.\n",
-              std::string(kSearchSyntax).c_str());
+  std::printf(
+      "\nAs printed (`printed`): algorithms on the pyramid with the faults of their listings, in float, on "
+      "square "
+      "powers of two that wrap.\n");
+  rows = {{"id", "most steps", "delta", "source", "meaning"}};
+  for (const SearchRow& row : search_rows()) {
+    if (!is_printed(row.search.kind)) continue;
+    char delta[32];
+    std::snprintf(delta, sizeof delta, "%g texels", row.search.delta / 1000.0);
+    rows.push_back({std::string(row.id), number(row.search.steps), delta, std::string(row.source),
+                    std::string(row.meaning)});
+  }
+  print_rows(rows);
+  std::printf(
+      "\nWith other parameters: %s.\nExamples: relief:steps=64:refine=5, cone:bilinear, "
+      "ki2007-printed:delta=0.005:slope.\n",
+      std::string(kSearchSyntax).c_str());
 }
 
 void list_algorithms() {

@@ -144,16 +144,17 @@ std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names) {
     found.push_back(algorithm);
   };
   for (const std::string& name : parts) {
-    // "all+parts+searches": several groups, joined by plus signs
+    // "all+parts+searches+printed": several groups, joined by plus signs
     const std::vector<std::string_view> groups = split(name, '+');
     const bool grouped = std::ranges::all_of(groups, [](std::string_view group) {
-      return group == "all" || group == "parts" || group == "searches";
+      return group == "all" || group == "parts" || group == "searches" || group == "printed";
     });
     if (!grouped) add(parse_algorithm(name));
     for (size_t k = 0; grouped && k < groups.size(); ++k) {
-      std::ranges::for_each(groups[k] == "all"     ? algorithms()
-                            : groups[k] == "parts" ? algorithm_parts()
-                                                   : searches(),
+      std::ranges::for_each(groups[k] == "all"       ? algorithms()
+                            : groups[k] == "parts"   ? algorithm_parts()
+                            : groups[k] == "printed" ? printed_searches()
+                                                     : searches(),
                             add);
     }
   }

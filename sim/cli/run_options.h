@@ -37,7 +37,7 @@ Host parse_host(const std::string& name, Fidelity fidelity);
 SceneChanges scene_changes(const RunOptions& options);
 
 /// Names to algorithms, in order; names may be joined by commas. "all" or nothing: every published exact one; "parts":
-/// yun2013's parts, each alone; "searches": every approximate one; "all+parts", "all+searches" ...; else as
+/// yun2013's parts, each alone; "searches": every approximate one but those as printed, which are "printed"; "all+parts", "all+searches" ...; else as
 /// parse_algorithm. Throws usage_error for an unknown or repeated
 /// one.
 std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names);

@@ -85,8 +85,8 @@ class Painter {
       traced.push_back(std::move(one));
     }
     for (size_t c = 0; c < names.size(); ++c) {
-      const auto wrong =
-          std::count_if(traced[c].judgement.verdicts.begin(), traced[c].judgement.verdicts.end(), is_wrong);
+      int64_t wrong = 0;
+      for (size_t k = 0; k < rays_.size(); ++k) wrong += traced[c].judgement.wrong(k);
       grid_.columns.push_back(
           fmt::format("{}: {} wrong", names[c],
                       readable(static_cast<double>(wrong) / static_cast<double>(rays_.size()), "fraction")));
@@ -99,7 +99,7 @@ class Painter {
               return panel_colour(static_cast<double>(one.hits[k].steps) / most_steps);
             });
     add_row("wrong pixels in red", traced, [&](const Traced& one, size_t k) {
-      return is_wrong(one.judgement.verdicts[k])
+      return one.judgement.wrong(k)
                  ? kPanelMark
                  : panel_grey(1 - judge_->depth_of(k, one.hits[k], architecture_.traverse.arithmetic));
     });
@@ -107,8 +107,6 @@ class Painter {
   }
 
  private:
-  static bool is_wrong(Verdict verdict) { return verdict != Verdict::kExact && verdict != Verdict::kTie; }
-
   Workload work_of(const Algorithm& algorithm, const SearchMap* map) const {
     Workload work;
     work.pyramid = &job_.pyramid;

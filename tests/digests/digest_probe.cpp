@@ -1,5 +1,6 @@
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@
 #include "traces/front_end.h"
 #include "traces/scene_library.h"
 
-// The digests of `cuesta compare default --size 64x48 --arch tiny` in every arithmetic and fidelity, from the camera to
+// The digests of `cuesta compare default --size 64x48 --arch tiny`, and of the searches as printed, in every arithmetic and fidelity, from the camera to
 // the planes, without the files and the command line of the program: small enough to be built by every compiler.
 
 namespace cuesta {
@@ -45,7 +46,10 @@ void print_digests() {
     const NumberFormat format = number_format(architecture.traverse, map);
     std::vector<MachineRay> rays;
     for (const TracedRay& ray : trace.rays) rays.push_back(quantise(ray, map, format));
-    for (const Algorithm& algorithm : algorithms()) {
+    std::vector<Algorithm> all(algorithms().begin(), algorithms().end());
+    all.insert(all.end(), printed_searches().begin(), printed_searches().end());
+    all.push_back(parse_algorithm("ki2007-printed:linear"));
+    for (const Algorithm& algorithm : all) {
       Workload work;
       work.pyramid = &pyramid;
       work.map = map;
@@ -54,6 +58,12 @@ void print_digests() {
       work.width = trace.width;
       work.height = trace.height;
       work.schedule = algorithm.schedule;
+      std::optional<SearchMap> search_map;
+      if (algorithm.search) {
+        work.search = algorithm.search;
+        work.search_map = &search_map.emplace(*algorithm.search, pyramid, map.address_mode);
+        work.depth = scene.depth;
+      }
       const Outcome outcome = wanted.fidelity == Fidelity::kCycle ? run_cycle(work, architecture)
                                                                   : run_functional(work, architecture);
       std::cout << wanted.name << ' ' << algorithm.id << ' ' << outcome.hits_digest << ' ' << outcome.digest

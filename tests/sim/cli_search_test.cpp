@@ -21,6 +21,19 @@ TEST_F(Searches, StandBesideExactAlgorithmsWithTheShareOfTheirWrongRays) {
   EXPECT_NE(read("r/manifest.json").find("preprocessing_seconds.cone"), std::string::npos);
 }
 
+TEST_F(Searches, AsPrintedShowTheirRaysWithoutAnAnswer) {
+  const ProgramResult result = cuesta({"compare", "default", "--size", "32", "--angle", "75", "--algorithm",
+                                       "oh2006,ki2007-printed:delta=0,printed", "-o", "r", "-q"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  for (const char* part : {"wrong", "NaN", "endless", "ki2007-printed:delta=0", "drobot2009-printed"}) {
+    EXPECT_NE(result.out.find(part), std::string::npos) << part << "\n" << result.out;
+  }
+  const std::string json = read("r/result.json");
+  for (const char* part : {"\"error.nan\"", "\"error.unfinished\""}) {
+    EXPECT_NE(json.find(part), std::string::npos) << part;
+  }
+}
+
 TEST_F(Searches, GiveTheSameHitsAtBothFidelities) {
   const auto digest = [&](const char* fidelity) {
     const ProgramResult result = cuesta({"run", "default", "--size", "32", "--algorithm",

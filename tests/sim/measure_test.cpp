@@ -52,6 +52,42 @@ TEST(Measurer, BothFidelitiesFindTheSameHitsAndFetchesInEveryModeWithEverySchedu
   }
 }
 
+TEST(Measurer, SearchesAsPrintedCountRaysWithoutAnAnswerApartInEveryFidelity) {
+  const Job job = job_on(64, 64, AddressMode::kWrap);
+  Measurer measurer(job);
+  int64_t lost = 0;
+  for (const char* name :
+       {"ki2007-printed", "ki2007-printed:steps=50:delta=0", "ki2007-printed:linear",
+        "ki2007-printed:delta=0:slope", "drobot2009-printed", "drobot2009-printed:slope"}) {
+    const Algorithm search = parse_algorithm(name);
+    EXPECT_EQ(search.id, name);
+    const Architecture machine;
+    const RunEntry plain = measurer.run(search, machine, Fidelity::kFunctional);
+    for (const Fidelity fidelity : {Fidelity::kFunctional, Fidelity::kTransaction, Fidelity::kCycle}) {
+      const RunEntry run = measurer.run(search, machine, fidelity);
+      EXPECT_EQ(run.hits_digest, plain.hits_digest) << name;
+      EXPECT_FALSE(run.partial());
+      const Counters& a = run.measurements.counters;
+      EXPECT_EQ(a.get("machine.rays"), static_cast<int64_t>(run.all_rays));
+      EXPECT_EQ(a.get("machine.unfinished_rays"), 0);
+      EXPECT_EQ(a.get("machine.rays"), a.get("error.exact") + a.get("error.tie") + a.get("error.wrong") +
+                                           a.get("error.nan") + a.get("error.unfinished"));
+      EXPECT_EQ(a.get("preprocessing.records"), 0);
+    }
+    lost +=
+        plain.measurements.counters.get("error.nan") + plain.measurements.counters.get("error.unfinished");
+  }
+  EXPECT_GT(lost, 0);
+}
+
+TEST(Measurer, WhatAJobCannotDoIsRefusedWithoutARun) {
+  const Job job = job_on(48, 64, AddressMode::kWrap);
+  const Measurer measurer(job);
+  EXPECT_NO_THROW(measurer.check(parse_algorithm("relief"), {}));
+  EXPECT_THROW(measurer.check(parse_algorithm("ki2007-printed"), {}), Error);
+  EXPECT_THROW(measurer.check(parse_algorithm("oh2006:stop=7"), {}), Error);
+}
+
 TEST(Measurer, SearchesReadAndFindTheSameInBothFidelitiesAndEveryRayHasOneVerdict) {
   for (const AddressMode mode : kModes) {
     const Job job = job_on(48, 64, mode);

@@ -54,8 +54,18 @@ Workload RandomMachine::work() const {
 }
 
 /// Of a small number of steps, so that rays end.
-Search random_search(Random& random) {
-  Search search = search_rows()[random.below(search_rows().size())].search;
+Search random_search(Random& random, const MapShape& map) {
+  size_t rows = search_rows().size();
+  const bool printable = map.is_square_power_of_two() && map.address_mode == AddressMode::kWrap;
+  if (!printable) rows = static_cast<size_t>(SearchKind::kKi2007Printed);
+  Search search = search_rows()[random.below(rows)].search;
+  if (is_printed(search.kind)) {
+    search.steps = static_cast<int>(random.between(1, 40));
+    search.delta = static_cast<int>(random.between(0, 1000));
+    search.linear = search.kind == SearchKind::kKi2007Printed && random.chance(0.5);
+    search.slope = random.chance(0.5);
+    return search;
+  }
   if (search.steps > 0) search.steps = static_cast<int>(random.between(1, 40));
   if (search.least_steps > 0) search.least_steps = static_cast<int>(random.between(1, search.steps));
   if (row_of(search).refines) search.refinements = static_cast<int>(random.between(0, 8));
@@ -110,7 +120,7 @@ RandomMachine random_machine(uint64_t seed, int most_rays) {
     ++k;
   }
   if (machine.schedule.stop_level == 0 && random.chance(0.3)) {
-    machine.search = random_search(random);
+    machine.search = random_search(random, machine.map);
     machine.depth = 0.01 * static_cast<double>(random.between(1, 100));
     machine.searched = std::make_shared<Pyramid>(machine.pyramid);
     machine.search_map =

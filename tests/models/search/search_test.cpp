@@ -11,7 +11,7 @@ namespace cuesta {
 namespace {
 
 TEST(Search, RowsStandInTheOrderOfTheKinds) {
-  ASSERT_EQ(search_rows().size(), static_cast<size_t>(SearchKind::kSafetyRadius) + 1);
+  ASSERT_EQ(search_rows().size(), static_cast<size_t>(SearchKind::kDrobot2009Printed) + 1);
   std::set<std::string_view> ids;
   for (size_t k = 0; k < search_rows().size(); ++k) {
     EXPECT_EQ(static_cast<size_t>(search_rows()[k].search.kind), k) << search_rows()[k].id;
@@ -30,6 +30,7 @@ TEST(Search, HasTheParametersThatThePapersPrint) {
 TEST(Search, IsReadBackFromItsName) {
   std::set<std::string> names;
   for (const SearchRow& row : search_rows()) {
+    if (is_printed(row.search.kind)) continue;
     for (const int steps : {8, row.search.steps, 512}) {
       for (const int refinements : {0, row.search.refinements}) {
         for (const SearchFilter filter : {SearchFilter::kTexel, SearchFilter::kBilinear}) {
@@ -47,12 +48,34 @@ TEST(Search, IsReadBackFromItsName) {
   EXPECT_EQ(names.size(), 2u * (3 + 6 * 3 + 4 * 3 * 2));
 }
 
+TEST(Search, AsPrintedIsReadBackFromItsName) {
+  std::set<std::string> names;
+  for (const char* id : {"ki2007-printed", "drobot2009-printed"}) {
+    for (const int delta : {0, 1, 5, 10, 500, 1000, 1250, kMostDelta}) {
+      for (const bool slope : {false, true}) {
+        for (const bool linear : {false, true}) {
+          Search search = find_search(id)->search;
+          search.delta = delta;
+          search.slope = slope;
+          search.linear = linear && search.kind == SearchKind::kKi2007Printed;
+          names.insert(name_of(search));
+          EXPECT_EQ(parse_search(name_of(search)), search) << name_of(search);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(names.size(), 8u * (4 + 2));
+}
+
 TEST(Search, NamesLeaveOutWhatTheRowSays) {
   const std::pair<std::string_view, std::string_view> cases[] = {
       {"relief:refine=7:steps=100", "relief"},
       {"relief:refine=0:steps=64", "relief:steps=64:refine=0"},
       {"pom:least=4", "pom:least=4"},
       {"cone:bilinear:steps=16", "cone:steps=16:bilinear"},
+      {"ki2007-printed:delta=0.5", "ki2007-printed"},
+      {"ki2007-printed:linear:delta=0.005:steps=64", "ki2007-printed:steps=64:delta=0.005:linear"},
+      {"drobot2009-printed:slope:delta=00.0", "drobot2009-printed:delta=0:slope"},
   };
   for (const auto& [text, canonical] : cases) EXPECT_EQ(name_of(parse_search(text)), canonical) << text;
 }
@@ -69,6 +92,18 @@ TEST(Search, AFaultNamesTheWordAndWhatIsAccepted) {
       {"steep:steps=4:steps=5", "`steps` is given twice"},
       {"pom:steps=4", "least=8 is above steps=4"},
       {"steep:", "`` is not an ending"},
+      {"steep:slope", "`slope` is not an ending"},
+      {"steep:delta=1", "`delta=1` is not an ending"},
+      {"drobot2009-printed:linear",
+       "`linear` is not an ending of drobot2009-printed; accepted are steps=N (1 to 4096), delta=TEXELS (0 "
+       "to "
+       "64, three places at most), slope."},
+      {"ki2007-printed:bilinear", "`bilinear` is not an ending"},
+      {"ki2007-printed:delta=0.0005", "`delta=0.0005` is not an ending"},
+      {"ki2007-printed:delta=-1", "`delta=-1` is not an ending"},
+      {"ki2007-printed:delta=1.", "`delta=1.` is not an ending"},
+      {"ki2007-printed:delta=65", "`delta=65` is not an ending"},
+      {"ki2007-printed:slope:slope", "`slope` is given twice"},
   };
   for (const auto& [text, part] : cases) {
     try {
