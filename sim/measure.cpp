@@ -68,32 +68,15 @@ const std::vector<MachineRay>& Measurer::rays_for(const NumberFormat& format) {
 }
 
 void Measurer::check(const Algorithm& named, const Architecture& architecture) const {
+  check_surface(job_.scene, named, architecture);
   const Algorithm algorithm = algorithm_on(named, architecture.traverse);
   number_format(architecture.traverse, job_.map);
   const int stop = algorithm.schedule.stop_level, root = job_.pyramid.root_level();
-<<<<<<< HEAD
-  if (stop == 0) return job_.pyramid;
-=======
-  const bool bilinear = job_.map.surface == Surface::kBilinear;
-  if (bilinear && stop > 0) {
-    throw usage_error(
-        "Algorithm " + algorithm.id + " stops at level " + std::to_string(stop) + ", and scene " +
-        job_.scene.name +
-        "'s surface is bilinear, whose leaves are the patches of level 0; accepted with it is stop "
-        "level 0.");
-  }
->>>>>>> 1280230 (searches as printed: Ki & Oh 2007, Drobot 2009; rays without an answer counted apart)
   if (stop > root) {
     throw usage_error("Algorithm " + algorithm.id + " stops at level " + std::to_string(stop) +
                       ", above the root of scene " + job_.scene.name + "'s map of " +
                       std::to_string(job_.map.width) + " x " + std::to_string(job_.map.height) +
                       " texels; accepted are levels 0 to " + std::to_string(root) + ".");
-  }
-  if (bilinear && algorithm.search) {
-    throw usage_error(
-        "Algorithm " + algorithm.id + " is a search, and scene " + job_.scene.name +
-        "'s surface is bilinear, against which searches are not judged; accepted with it are exact "
-        "algorithms, or surface.kind = \"texel\" (a search filters by its own ending :bilinear).");
   }
   if (algorithm.search) check_map(*algorithm.search, job_.map.width, job_.map.height, job_.map.address_mode);
 }
@@ -146,11 +129,7 @@ void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Archite
 
 RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture, Fidelity fidelity,
                        const Progress& progress) {
-<<<<<<< HEAD
-  check_surface(job_.scene, named, architecture);
-=======
   check(named, architecture);
->>>>>>> 1280230 (searches as printed: Ki & Oh 2007, Drobot 2009; rays without an answer counted apart)
   const Algorithm algorithm = algorithm_on(named, architecture.traverse);
   Workload work;
   work.pyramid = &pyramid_for(algorithm);

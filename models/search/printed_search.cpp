@@ -13,6 +13,7 @@ PrintedRay make_printed_ray(const MachineRay& input, const MapShape& map, const 
   ray.from = {texture(static_cast<double>(input.x0) * unit - x * rise, map.width),
               texture(static_cast<double>(input.y0) * unit - y * rise, map.height), 0};
   ray.along = {texture(x * full, map.width), texture(y * full, map.height), 1};
+  ray.start = static_cast<float>(rise / full);
   return ray;
 }
 

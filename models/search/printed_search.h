@@ -30,13 +30,15 @@ struct PrintedFound {
   int64_t i = 0, j = 0;  ///< of kFound: the texel of that place, unwrapped
 };
 
-/// What a listing starts with: P on the top plane and E, scaled so that E.z = 1.
+/// What a listing starts with: P on the top plane and E, scaled so that E.z = 1; and `start`, the depth at which P2
+/// starts, 0 in the listings.
 struct PrintedRay {
   PrintedPlace from, along;
+  float start = 0;
 };
 
-/// Of a descending ray. One that starts inside the slab is traced from where its line meets the top plane, as Ki & Oh
-/// 2007 cast shadow rays (printed), so that what it finds may lie before its start.
+/// Of a descending ray. For one that starts inside the slab, which the listings do not know, P is where its line meets the
+/// top plane, and P2 where it starts (ours).
 PrintedRay make_printed_ray(const MachineRay& input, const MapShape& map, const NumberFormat& format);
 
 namespace printed_detail {
@@ -141,7 +143,7 @@ PrintedFound printed_search(const Search& search, const PrintedRay& ray, const S
   PrintedTexture<Sink> texture(map, sink);
   const int max_level = map.root_level();
   const float texel_span_half = 0.5F / static_cast<float>(1 << max_level);
-  PrintedPlace P2 = P;
+  PrintedPlace P2 = moved(P, E, ray.start);
   PrintedFound found;
   int level = max_level;
   for (int pass = 0; level >= 0; ++pass) {

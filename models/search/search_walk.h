@@ -83,7 +83,7 @@ class Searcher {
     }
   };
 
-  /// The listings know no t_max: what lies there is a miss. What lies before the ray's start is found at its start.
+  /// The listings know no t_max: what lies there is a miss. Nothing is found before the ray's start.
   template <class Sink>
   void trace_printed(const MachineRay& input, const SearchRay<Real>& ray, Arithmetic times, Sink& sink,
                      HitRecord& record) const {

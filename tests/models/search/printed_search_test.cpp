@@ -77,6 +77,8 @@ TEST(Printed, TheFirstCrossingIsZeroOverZeroForKi) {
   const MachineRay ray = ray_from(c, 0.125, 0.375, 1, 0.5, 0.0625, -1);
   expect_none(run_printed(c, "ki2007-printed", ray).hit, HitStatus::kNotANumber, 4);
   expect_none(run_printed(c, "ki2007-printed:linear", ray).hit, HitStatus::kNotANumber, 4 + 1 + 2);
+  const MachineRay along = ray_from(c, 0.125, 0.375, 1, 0.5, 0, -1);
+  expect_none(run_printed(c, "ki2007-printed", along).hit, HitStatus::kNotANumber, 4);
 }
 
 // min(d, NaN) = d: to the ground and a delta below it, over the boundary.
@@ -109,17 +111,34 @@ TEST(Printed, WithoutADeltaSomeRaysDoNotFinish) {
   expect_hit(run_printed(c, "ki2007-printed:slope", ray).hit, 1, 1, 4);
 }
 
-// E.y = 0: the middle of the node is taken for its boundary, at b / 0: +-infinity, of which min takes -infinity.
-TEST(Printed, ARayAlongAnAxisIsLostWhereItsNodesMiddleLiesBehindIt) {
+// E.y = 0: the middle of the node is taken for its boundary, at b / 0. Ahead of the ray it is infinitely far. Behind it
+// it is -infinity: the ray goes there, where nothing equals or differs from a NaN, and comes back with the next texel read.
+// Ki's reads texel 0 of level 1, 1 deep: over the boundary. Drobot's reads the root again, 0.2 deep: round and round.
+TEST(Printed, ARayAlongAnAxisIsAstrayWhereItsNodesMiddleLiesBehindIt) {
   const SearchCase c(wall_grid(8, 2, 204), AddressMode::kWrap, {});
-  const MachineRay before = ray_from(c, 0.125, 0.125, 1, 0.5, 0, -1);  // level 1's middle is 0.25
+  const MachineRay ahead = ray_from(c, 0.125, 0.125, 1, 0.5, 0, -1);  // level 1's middle is 0.25
   const MachineRay behind = ray_from(c, 0.125, 0.375, 1, 0.5, 0, -1);
-  for (const char* name : {"ki2007-printed", "drobot2009-printed"}) {
-    EXPECT_EQ(run_printed(c, name, before).hit.status, HitStatus::kHit) << name;
-    EXPECT_EQ(run_printed(c, name, behind).hit.status, HitStatus::kNotANumber) << name;
-    EXPECT_EQ(run_printed(c, (std::string(name) + ":slope").c_str(), behind).hit.status, HitStatus::kHit)
-        << name;
+  const SearchAnswer right = run_printed(c, "ki2007-printed", ahead);
+  expect_hit(right.hit, 2, 0, 4);
+  EXPECT_NEAR(depth_of(c, ahead, right.hit), 0.875, 1e-6);
+  const SearchAnswer astray = run_printed(c, "ki2007-printed", behind);
+  expect_hit(astray.hit, 2, 1, 4);
+  EXPECT_EQ(depth_of(c, behind, astray.hit), 1);
+  expect_hit(run_printed(c, "drobot2009-printed", ahead).hit, 2, 0, 5);
+  expect_none(run_printed(c, "drobot2009-printed:steps=100", behind).hit, HitStatus::kDidNotFinish, 100);
+  for (const char* name : {"ki2007-printed:slope", "drobot2009-printed:slope"}) {
+    const SearchAnswer sloped = run_printed(c, name, behind);
+    EXPECT_NEAR(depth_of(c, behind, sloped.hit), 0.875, 1e-6) << name;
   }
+}
+
+// As KiStaysOnTheLevelOfACrossing, taken up 0.5 deep, at (0.375, 0.40625).
+TEST(Printed, ARayThatStartsInsideTheSlabIsTakenUpOnItsWay) {
+  const SearchCase c(wall_grid(8, 2, 204), AddressMode::kWrap, {});
+  const MachineRay ray = ray_from(c, 0.375, 0.40625, 0.5, 0.5, 0.0625, -1);
+  const SearchAnswer answer = run_printed(c, "ki2007-printed", ray);
+  expect_hit(answer.hit, 2, 1, 4);
+  EXPECT_NEAR(depth_of(c, ray, answer.hit), 0.375, 1e-6);
 }
 
 TEST(Printed, TheBestCaseIsOneStepForEachLevel) {
