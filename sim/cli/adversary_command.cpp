@@ -90,6 +90,12 @@ class AdversaryCommand : public Command {
       throw usage_error("--algorithm " + algorithm.id +
                         " stops above the texels; accepted are schedules that stop at level 0.");
     }
+    if (algorithm.search && is_printed(algorithm.search->kind)) {
+      throw usage_error(
+          "--algorithm " + algorithm.id +
+          " has faults that need no search, and runs on square powers of two alone; accepted are the "
+          "others.");
+    }
     ResultFolder folder = ResultFolder::create(folder_, force_);
 
     const AdversaryScorer scorer(algorithm, architecture, mode, maximise);

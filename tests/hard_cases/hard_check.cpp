@@ -67,7 +67,7 @@ HardChecker::HardChecker(HeightGrid grid, AddressMode mode, const NumberFormat& 
   leaves_.resize(static_cast<size_t>(shape_.root_level) + 1);
   if (!with_searches) return;
   for (const SearchRow& row : search_rows()) {
-    if (row.id == "ki2007-printed" || row.id == "drobot2009-printed") continue;  // faults and all
+    if (is_printed(row.search.kind)) continue;  // faults and all
     searches_.push_back(row.search);
     search_maps_.emplace_back(row.search, pyramid_, mode);
   }
