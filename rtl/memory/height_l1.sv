@@ -190,8 +190,8 @@ module height_l1 #(
     evict_o = 1'b0;
     if (fill_valid_i) begin
       fill_line = mshr_line_q[fill_mshr_i];
-      fill_index = LineIndexBits'(mshr_way_q[fill_mshr_i]);
-      if (Sets > 1) fill_index = fill_index + LineIndexBits'(32'(fill_line[SetBits-1:0]) * Ways);
+      fill_index = LineIndexBits'(mshr_way_q[fill_mshr_i])
+          + ((Sets > 1) ? LineIndexBits'(32'(fill_line[SetBits-1:0]) * Ways) : '0);
       evict_o = valid_q[fill_index];
     end
   end
@@ -248,12 +248,12 @@ module height_l1 #(
         if (allocates || (found && ages[(Ways-1)*WayBits+:WayBits] != found_way)) begin : touch
           // From the touched way's place on, each moves up one.
           logic [Ways*WayBits-1:0] after;
+          logic swaps;
           after = ages;
           for (int unsigned k = 0; k + 1 < Ways; k++) begin
-            if (after[k*WayBits+:WayBits] == touched) begin
-              after[k*WayBits+:WayBits] = ages[(k+1)*WayBits+:WayBits];
-              after[(k+1)*WayBits+:WayBits] = touched;
-            end
+            swaps = after[k*WayBits+:WayBits] == touched;
+            after[k*WayBits+:WayBits] = swaps ? ages[(k+1)*WayBits+:WayBits] : after[k*WayBits+:WayBits];
+            after[(k+1)*WayBits+:WayBits] = swaps ? touched : after[(k+1)*WayBits+:WayBits];
           end
           oldest_first_q[set] <= after;
         end

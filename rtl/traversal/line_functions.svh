@@ -15,9 +15,9 @@
                                                   input logic [TimeBits-1:0] t_end);
     logic [TimeBits-1:0] limit;
     limit = t_end >> shift;
-    if (p[ProductBits-1]) time_of = '0;
-    else if (still || $unsigned(p) > {{(ProductBits - TimeBits) {1'b0}}, limit}) time_of = t_end;
-    else time_of = p[TimeBits-1:0] << shift;
+    // A negative product is above every limit when read without its sign.
+    if (!still && $unsigned(p) <= {{(ProductBits - TimeBits) {1'b0}}, limit}) time_of = p[TimeBits-1:0] << shift;
+    else time_of = p[ProductBits-1] ? '0 : t_end;
   endfunction
 
   function automatic logic [TimeBits-1:0] later(input logic [TimeBits-1:0] a, input logic [TimeBits-1:0] b);

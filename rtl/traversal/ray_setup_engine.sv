@@ -231,255 +231,254 @@ module ray_setup_engine #(
     wire comes = alive[First];
     wire [DoneCycles:0] here = alive & Mine;
 
-    always_ff @(posedge clk_i) begin
-      if (here != '0) begin : work
-        // The ray that is worked on: the one that comes in, or the one here.
-        logic rising, falling, still_x, still_y, still_z;
-        logic signed [PositionBits-1:0] x0, y0;
-        logic [ZBits-1:0] z0;
-        logic signed [DirectionBits:0] dx, dy, dz;
-        logic [ShiftBits-1:0] ex, ey, ez;
-        logic [DivideBits-1:0] div_x, div_y, div_z;
-        logic [MantissaBits:0] mx, my, mz;
-        logic signed [ProductBits-1:0] ox, oy, oz;
-        logic [TimeBits-1:0] t_start, t_max, t_root, t_end;
-        logic [SearchBits-1:0] cell_x, cell_y;
-        logic [HmtLevelBits-1:0] low_x, low_y, high_x, high_y;
-        // What this window does not read: no wire without a driver.
-        {rising, falling, still_x, still_y, still_z} = '0;
-        {x0, y0, z0} = '0;
-        {dx, dy, dz} = '0;
-        {ex, ey, ez} = '0;
-        {div_x, div_y, div_z} = '0;
-        {mx, my, mz} = '0;
-        {ox, oy, oz} = '0;
-        {t_start, t_max, t_root, t_end} = '0;
-        {cell_x, cell_y} = '0;
-        {low_x, low_y, high_x, high_y} = '0;
-        if (`HMT_READ(1, AtOffset - 1)) begin
-          dx = comes ? `HMT_FROM.dx_q : dx_q;
-          dy = comes ? `HMT_FROM.dy_q : dy_q;
-          dz = comes ? `HMT_FROM.dz_q : dz_q;
-        end
-        if (`HMT_READ(AtDiv, AtOffset)) begin
-          div_x = comes ? `HMT_FROM.div_x_q : div_x_q;
-          div_y = comes ? `HMT_FROM.div_y_q : div_y_q;
-          div_z = comes ? `HMT_FROM.div_z_q : div_z_q;
-        end
-        if (`HMT_READ(1, AtTest)) begin
-          x0 = comes ? `HMT_FROM.x0_q : x0_q;
-          y0 = comes ? `HMT_FROM.y0_q : y0_q;
-        end
-        if (`HMT_READ(AtOffset, AtOffset)) begin
-          z0 = comes ? `HMT_FROM.z0_q : z0_q;
-        end
-        if (`HMT_READ(AtOffset, DoneCycles)) begin
-          still_x = comes ? `HMT_FROM.still_x_q : still_x_q;
-          still_y = comes ? `HMT_FROM.still_y_q : still_y_q;
-          ex = comes ? `HMT_FROM.ex_q : ex_q;
-          ey = comes ? `HMT_FROM.ey_q : ey_q;
-        end
-        if (`HMT_READ(AtOffset, AtTest)) begin
-          still_z = comes ? `HMT_FROM.still_z_q : still_z_q;
-          ez = comes ? `HMT_FROM.ez_q : ez_q;
-        end
-        if (`HMT_READ(AtClip, DoneCycles)) begin
-          mx = comes ? `HMT_FROM.mx_q : mx_q;
-          my = comes ? `HMT_FROM.my_q : my_q;
-          ox = comes ? `HMT_FROM.ox_q : ox_q;
-          oy = comes ? `HMT_FROM.oy_q : oy_q;
-        end
-        if (`HMT_READ(AtClip, AtClip)) begin
-          mz = comes ? `HMT_FROM.mz_q : mz_q;
-          oz = comes ? `HMT_FROM.oz_q : oz_q;
-        end
-        if (`HMT_READ(AtTest, AtSpan - 1)) begin
-          t_start = comes ? `HMT_FROM.t_start_q : t_start_q;
-        end
-        if (`HMT_READ(AtTest, AtTest)) begin
-          t_max = comes ? `HMT_FROM.t_max_q : t_max_q;
-          t_root = comes ? `HMT_FROM.t_root_q : t_root_q;
-        end
-        if (`HMT_READ(AtClip, AtTest)) begin
-          rising = comes ? `HMT_FROM.rising_q : rising_q;
-          falling = comes ? `HMT_FROM.falling_q : falling_q;
-        end
-        if (`HMT_READ(AtSpan, DoneCycles)) begin
-          t_end = comes ? `HMT_FROM.t_end_q : t_end_q;
-        end
-        if (`HMT_READ(AtTest + 1, DoneCycles)) begin
-          cell_x = comes ? `HMT_FROM.cell_x_q : cell_x_q;
-          cell_y = comes ? `HMT_FROM.cell_y_q : cell_y_q;
-        end
-        if (`HMT_READ(AtSpan, DoneCycles)) begin
-          low_x = comes ? `HMT_FROM.low_x_q : low_x_q;
-          low_y = comes ? `HMT_FROM.low_y_q : low_y_q;
-          high_x = comes ? `HMT_FROM.high_x_q : high_x_q;
-          high_y = comes ? `HMT_FROM.high_y_q : high_y_q;
-        end
-        if (comes && w > 0) begin
-          id_q <= `HMT_FROM.id_q;
-          dead_q <= `HMT_FROM.dead_q;
-          flip_x_q <= `HMT_FROM.flip_x_q;
-          flip_y_q <= `HMT_FROM.flip_y_q;
-          rising_q <= `HMT_FROM.rising_q;
-          falling_q <= `HMT_FROM.falling_q;
-          x0_q <= `HMT_FROM.x0_q;
-          y0_q <= `HMT_FROM.y0_q;
-          z0_q <= `HMT_FROM.z0_q;
-          dx_q <= `HMT_FROM.dx_q;
-          dy_q <= `HMT_FROM.dy_q;
-          dz_q <= `HMT_FROM.dz_q;
-          still_x_q <= `HMT_FROM.still_x_q;
-          still_y_q <= `HMT_FROM.still_y_q;
-          still_z_q <= `HMT_FROM.still_z_q;
-          ex_q <= `HMT_FROM.ex_q;
-          ey_q <= `HMT_FROM.ey_q;
-          ez_q <= `HMT_FROM.ez_q;
-          div_x_q <= `HMT_FROM.div_x_q;
-          div_y_q <= `HMT_FROM.div_y_q;
-          div_z_q <= `HMT_FROM.div_z_q;
-          mx_q <= `HMT_FROM.mx_q;
-          my_q <= `HMT_FROM.my_q;
-          mz_q <= `HMT_FROM.mz_q;
-          ox_q <= `HMT_FROM.ox_q;
-          oy_q <= `HMT_FROM.oy_q;
-          oz_q <= `HMT_FROM.oz_q;
-          t_start_q <= `HMT_FROM.t_start_q;
-          t_max_q <= `HMT_FROM.t_max_q;
-          t_root_q <= `HMT_FROM.t_root_q;
-          t_end_q <= `HMT_FROM.t_end_q;
-          cell_x_q <= `HMT_FROM.cell_x_q;
-          cell_y_q <= `HMT_FROM.cell_y_q;
-          low_x_q <= `HMT_FROM.low_x_q;
-          low_y_q <= `HMT_FROM.low_y_q;
-          high_x_q <= `HMT_FROM.high_x_q;
-          high_y_q <= `HMT_FROM.high_y_q;
-        end
-        if (comes && w == 0) begin
-          id_q <= ray_id_i;
-          dead_q <= ray_dead_i;
-          x0_q <= ray_x0_i;
-          y0_q <= ray_y0_i;
-          z0_q <= ray_z0_i;
-          dx_q <= ray_dx_i;
-          dy_q <= ray_dy_i;
-          dz_q <= ray_dz_i;
-          t_max_q <= ray_t_max_i;
-        end
+    task automatic work;
+      // The ray that is worked on: the one that comes in, or the one here.
+      logic rising, falling, still_x, still_y, still_z;
+      logic signed [PositionBits-1:0] x0, y0;
+      logic [ZBits-1:0] z0;
+      logic signed [DirectionBits:0] dx, dy, dz;
+      logic [ShiftBits-1:0] ex, ey, ez;
+      logic [DivideBits-1:0] div_x, div_y, div_z;
+      logic [MantissaBits:0] mx, my, mz;
+      logic signed [ProductBits-1:0] ox, oy, oz;
+      logic [TimeBits-1:0] t_start, t_max, t_root, t_end;
+      logic [SearchBits-1:0] cell_x, cell_y;
+      logic [HmtLevelBits-1:0] low_x, low_y, high_x, high_y;
+      // What this window does not read: no wire without a driver.
+      {rising, falling, still_x, still_y, still_z} = '0;
+      {x0, y0, z0} = '0;
+      {dx, dy, dz} = '0;
+      {ex, ey, ez} = '0;
+      {div_x, div_y, div_z} = '0;
+      {mx, my, mz} = '0;
+      {ox, oy, oz} = '0;
+      {t_start, t_max, t_root, t_end} = '0;
+      {cell_x, cell_y} = '0;
+      {low_x, low_y, high_x, high_y} = '0;
+      if (`HMT_READ(1, AtOffset - 1)) begin
+        dx = comes ? `HMT_FROM.dx_q : dx_q;
+        dy = comes ? `HMT_FROM.dy_q : dy_q;
+        dz = comes ? `HMT_FROM.dz_q : dz_q;
+      end
+      if (`HMT_READ(AtDiv, AtOffset)) begin
+        div_x = comes ? `HMT_FROM.div_x_q : div_x_q;
+        div_y = comes ? `HMT_FROM.div_y_q : div_y_q;
+        div_z = comes ? `HMT_FROM.div_z_q : div_z_q;
+      end
+      if (`HMT_READ(1, AtTest)) begin
+        x0 = comes ? `HMT_FROM.x0_q : x0_q;
+        y0 = comes ? `HMT_FROM.y0_q : y0_q;
+      end
+      if (`HMT_READ(AtOffset, AtOffset)) begin
+        z0 = comes ? `HMT_FROM.z0_q : z0_q;
+      end
+      if (`HMT_READ(AtOffset, DoneCycles)) begin
+        still_x = comes ? `HMT_FROM.still_x_q : still_x_q;
+        still_y = comes ? `HMT_FROM.still_y_q : still_y_q;
+        ex = comes ? `HMT_FROM.ex_q : ex_q;
+        ey = comes ? `HMT_FROM.ey_q : ey_q;
+      end
+      if (`HMT_READ(AtOffset, AtTest)) begin
+        still_z = comes ? `HMT_FROM.still_z_q : still_z_q;
+        ez = comes ? `HMT_FROM.ez_q : ez_q;
+      end
+      if (`HMT_READ(AtClip, DoneCycles)) begin
+        mx = comes ? `HMT_FROM.mx_q : mx_q;
+        my = comes ? `HMT_FROM.my_q : my_q;
+        ox = comes ? `HMT_FROM.ox_q : ox_q;
+        oy = comes ? `HMT_FROM.oy_q : oy_q;
+      end
+      if (`HMT_READ(AtClip, AtClip)) begin
+        mz = comes ? `HMT_FROM.mz_q : mz_q;
+        oz = comes ? `HMT_FROM.oz_q : oz_q;
+      end
+      if (`HMT_READ(AtTest, AtSpan - 1)) begin
+        t_start = comes ? `HMT_FROM.t_start_q : t_start_q;
+      end
+      if (`HMT_READ(AtTest, AtTest)) begin
+        t_max = comes ? `HMT_FROM.t_max_q : t_max_q;
+        t_root = comes ? `HMT_FROM.t_root_q : t_root_q;
+      end
+      if (`HMT_READ(AtClip, AtTest)) begin
+        rising = comes ? `HMT_FROM.rising_q : rising_q;
+        falling = comes ? `HMT_FROM.falling_q : falling_q;
+      end
+      if (`HMT_READ(AtSpan, DoneCycles)) begin
+        t_end = comes ? `HMT_FROM.t_end_q : t_end_q;
+      end
+      if (`HMT_READ(AtTest + 1, DoneCycles)) begin
+        cell_x = comes ? `HMT_FROM.cell_x_q : cell_x_q;
+        cell_y = comes ? `HMT_FROM.cell_y_q : cell_y_q;
+      end
+      if (`HMT_READ(AtSpan, DoneCycles)) begin
+        low_x = comes ? `HMT_FROM.low_x_q : low_x_q;
+        low_y = comes ? `HMT_FROM.low_y_q : low_y_q;
+        high_x = comes ? `HMT_FROM.high_x_q : high_x_q;
+        high_y = comes ? `HMT_FROM.high_y_q : high_y_q;
+      end
+      if (comes && w > 0) begin
+        id_q <= `HMT_FROM.id_q;
+        dead_q <= `HMT_FROM.dead_q;
+        flip_x_q <= `HMT_FROM.flip_x_q;
+        flip_y_q <= `HMT_FROM.flip_y_q;
+        rising_q <= `HMT_FROM.rising_q;
+        falling_q <= `HMT_FROM.falling_q;
+        x0_q <= `HMT_FROM.x0_q;
+        y0_q <= `HMT_FROM.y0_q;
+        z0_q <= `HMT_FROM.z0_q;
+        dx_q <= `HMT_FROM.dx_q;
+        dy_q <= `HMT_FROM.dy_q;
+        dz_q <= `HMT_FROM.dz_q;
+        still_x_q <= `HMT_FROM.still_x_q;
+        still_y_q <= `HMT_FROM.still_y_q;
+        still_z_q <= `HMT_FROM.still_z_q;
+        ex_q <= `HMT_FROM.ex_q;
+        ey_q <= `HMT_FROM.ey_q;
+        ez_q <= `HMT_FROM.ez_q;
+        div_x_q <= `HMT_FROM.div_x_q;
+        div_y_q <= `HMT_FROM.div_y_q;
+        div_z_q <= `HMT_FROM.div_z_q;
+        mx_q <= `HMT_FROM.mx_q;
+        my_q <= `HMT_FROM.my_q;
+        mz_q <= `HMT_FROM.mz_q;
+        ox_q <= `HMT_FROM.ox_q;
+        oy_q <= `HMT_FROM.oy_q;
+        oz_q <= `HMT_FROM.oz_q;
+        t_start_q <= `HMT_FROM.t_start_q;
+        t_max_q <= `HMT_FROM.t_max_q;
+        t_root_q <= `HMT_FROM.t_root_q;
+        t_end_q <= `HMT_FROM.t_end_q;
+        cell_x_q <= `HMT_FROM.cell_x_q;
+        cell_y_q <= `HMT_FROM.cell_y_q;
+        low_x_q <= `HMT_FROM.low_x_q;
+        low_y_q <= `HMT_FROM.low_y_q;
+        high_x_q <= `HMT_FROM.high_x_q;
+        high_y_q <= `HMT_FROM.high_y_q;
+      end
+      if (comes && w == 0) begin
+        id_q <= ray_id_i;
+        dead_q <= ray_dead_i;
+        x0_q <= ray_x0_i;
+        y0_q <= ray_y0_i;
+        z0_q <= ray_z0_i;
+        dx_q <= ray_dx_i;
+        dy_q <= ray_dy_i;
+        dz_q <= ray_dz_i;
+        t_max_q <= ray_t_max_i;
+      end
 
-        if (`HMT_NOW(1)) begin  // mirror, normalise
-          flip_x_q <= dx[DirectionBits];
-          flip_y_q <= dy[DirectionBits];
-          rising_q <= ~dz[DirectionBits] & (dz != '0);
-          falling_q <= dz[DirectionBits];
-          if (dx[DirectionBits]) x0_q <= PositionBits'(side_plane <<< FractionBits) - x0;
-          if (dy[DirectionBits]) y0_q <= PositionBits'(side_plane <<< FractionBits) - y0;
-          still_x_q <= dx == '0;
-          still_y_q <= dy == '0;
-          still_z_q <= dz == '0;
-          ex = normalising_shift(magnitude(dx));
-          ey = normalising_shift(magnitude(dy));
-          ez = normalising_shift(magnitude(dz));
-          dx = {1'b0, magnitude(dx) << ex};
-          dy = {1'b0, magnitude(dy) << ey};
-          dz = {1'b0, magnitude(dz) << ez};
-          ex_q <= ex;
-          ey_q <= ey;
-          ez_q <= ez;
-          dx_q <= dx;
-          dy_q <= dy;
-          dz_q <= dz;
-          div_x_q <= divide_from(dx[DirectionBits-1:0]);
-          div_y_q <= divide_from(dy[DirectionBits-1:0]);
-          div_z_q <= divide_from(dz[DirectionBits-1:0]);
-        end
+      if (`HMT_NOW(1)) begin  // mirror, normalise
+        flip_x_q <= dx[DirectionBits];
+        flip_y_q <= dy[DirectionBits];
+        rising_q <= ~dz[DirectionBits] & (dz != '0);
+        falling_q <= dz[DirectionBits];
+        if (dx[DirectionBits]) x0_q <= PositionBits'(side_plane <<< FractionBits) - x0;
+        if (dy[DirectionBits]) y0_q <= PositionBits'(side_plane <<< FractionBits) - y0;
+        still_x_q <= dx == '0;
+        still_y_q <= dy == '0;
+        still_z_q <= dz == '0;
+        ex = normalising_shift(magnitude(dx));
+        ey = normalising_shift(magnitude(dy));
+        ez = normalising_shift(magnitude(dz));
+        dx = {1'b0, magnitude(dx) << ex};
+        dy = {1'b0, magnitude(dy) << ey};
+        dz = {1'b0, magnitude(dz) << ez};
+        ex_q <= ex;
+        ey_q <= ey;
+        ez_q <= ez;
+        dx_q <= dx;
+        dy_q <= dy;
+        dz_q <= dz;
+        div_x_q <= divide_from(dx[DirectionBits-1:0]);
+        div_y_q <= divide_from(dy[DirectionBits-1:0]);
+        div_z_q <= divide_from(dz[DirectionBits-1:0]);
+      end
 
-        if (`HMT_WITHIN(AtDiv, DivCycles)) begin
-          div_x_q <= divide_2(div_x, dx);
-          div_y_q <= divide_2(div_y, dy);
-          div_z_q <= divide_2(div_z, dz);
-        end
+      if (`HMT_WITHIN(AtDiv, DivCycles)) begin
+        div_x_q <= divide_2(div_x, dx);
+        div_y_q <= divide_2(div_y, dy);
+        div_z_q <= divide_2(div_z, dz);
+      end
 
-        if (`HMT_NOW(AtOffset)) begin
-          mx_q <= still_x ? (MantissaBits + 1)'(1) : mantissa_of(div_x);
-          my_q <= still_y ? (MantissaBits + 1)'(1) : mantissa_of(div_y);
-          mz_q <= still_z ? (MantissaBits + 1)'(1) : mantissa_of(div_z);
-          ox_q <= still_x ? ProductBits'(x0) + ProductBits'(1)
-              : ProductBits'(x0) * $signed(ProductBits'({1'b0, mantissa_of(div_x)}));
-          oy_q <= still_y ? ProductBits'(y0) + ProductBits'(1)
-              : ProductBits'(y0) * $signed(ProductBits'({1'b0, mantissa_of(div_y)}));
-          oz_q <= still_z ? $signed(ProductBits'({1'b0, z0}))
-              : $signed(ProductBits'({1'b0, z0})) * $signed(ProductBits'({1'b0, mantissa_of(div_z)}));
-          if (still_x) ex_q <= '0;
-          if (still_y) ey_q <= '0;
-          if (still_z) ez_q <= '0;
-        end
+      if (`HMT_NOW(AtOffset)) begin
+        mx_q <= still_x ? (MantissaBits + 1)'(1) : mantissa_of(div_x);
+        my_q <= still_y ? (MantissaBits + 1)'(1) : mantissa_of(div_y);
+        mz_q <= still_z ? (MantissaBits + 1)'(1) : mantissa_of(div_z);
+        ox_q <= still_x ? ProductBits'(x0) + ProductBits'(1)
+            : ProductBits'(x0) * $signed(ProductBits'({1'b0, mantissa_of(div_x)}));
+        oy_q <= still_y ? ProductBits'(y0) + ProductBits'(1)
+            : ProductBits'(y0) * $signed(ProductBits'({1'b0, mantissa_of(div_y)}));
+        oz_q <= still_z ? $signed(ProductBits'({1'b0, z0}))
+            : $signed(ProductBits'({1'b0, z0})) * $signed(ProductBits'({1'b0, mantissa_of(div_z)}));
+        if (still_x) ex_q <= '0;
+        if (still_y) ey_q <= '0;
+        if (still_z) ez_q <= '0;
+      end
 
-        if (`HMT_NOW(AtClip)) begin
-          t_start_q <= '0;
-          if (cfg_border_i) begin
-            t_start_q <= later(time_of(-ox, still_x, ex, cfg_t_end_i),
-                               time_of(-oy, still_y, ey, cfg_t_end_i));
-          end
-          // When a falling ray is on the floor, a rising one above everything.
-          t_root_q <= time_of(rising ? product($signed(ProductBits'({1'b0, cfg_root_bound_i})), mz, oz) : oz,
-                              still_z, ez, cfg_t_end_i);
+      if (`HMT_NOW(AtClip)) begin
+        t_start_q <= '0;
+        if (cfg_border_i) begin
+          t_start_q <= later(time_of(-ox, still_x, ex, cfg_t_end_i),
+                             time_of(-oy, still_y, ey, cfg_t_end_i));
         end
+        // When a falling ray is on the floor, a rising one above everything.
+        t_root_q <= time_of(rising ? product($signed(ProductBits'({1'b0, cfg_root_bound_i})), mz, oz) : oz,
+                            still_z, ez, cfg_t_end_i);
+      end
 
-        if (`HMT_NOW(AtTest)) begin
-          if (cfg_border_i && (
-              t_start >= time_of(product(side_plane, mx, ox), still_x, ex, cfg_t_end_i)
-              || t_start >= time_of(product(side_plane, my, oy), still_y, ey, cfg_t_end_i)
-              || (falling && t_start > t_root))) begin
-            dead_q <= 1'b1;
-          end
-          if (t_start >= t_max) dead_q <= 1'b1;
-          if (rising && t_root <= t_start) dead_q <= 1'b1;
-          t_end_q <= later(t_start, (!still_z && t_root < t_max) ? t_root : t_max);
-          // The start cell: of the origin, or, of a ray that enters by the border, the first two bits.
-          if (t_start == '0) begin
-            cell_x_q <= {-ox, PlaneBits'(x0 >>> FractionBits)};
-            cell_y_q <= {-oy, PlaneBits'(y0 >>> FractionBits)};
+      if (`HMT_NOW(AtTest)) begin
+        if (cfg_border_i && (
+            t_start >= time_of(product(side_plane, mx, ox), still_x, ex, cfg_t_end_i)
+            || t_start >= time_of(product(side_plane, my, oy), still_y, ey, cfg_t_end_i)
+            || (falling && t_start > t_root))) begin
+          dead_q <= 1'b1;
+        end
+        if (t_start >= t_max) dead_q <= 1'b1;
+        if (rising && t_root <= t_start) dead_q <= 1'b1;
+        t_end_q <= later(t_start, (!still_z && t_root < t_max) ? t_root : t_max);
+        // The start cell: of the origin, or, of a ray that enters by the border, the first two bits.
+        if (t_start == '0) begin
+          cell_x_q <= {-ox, PlaneBits'(x0 >>> FractionBits)};
+          cell_y_q <= {-oy, PlaneBits'(y0 >>> FractionBits)};
+        end else begin
+          cell_x_q <= search_2({-ox, still_x ? PlaneBits'(x0 >>> FractionBits) : PlaneBits'(0)},
+                               2 * CellCycles - 1, still_x, mx, ex, t_start);
+          cell_y_q <= search_2({-oy, still_y ? PlaneBits'(y0 >>> FractionBits) : PlaneBits'(0)},
+                               2 * CellCycles - 1, still_y, my, ey, t_start);
+        end
+        low_x_q <= '0;
+        low_y_q <= '0;
+        high_x_q <= cfg_root_level_i;
+        high_y_q <= cfg_root_level_i;
+      end
+
+      for (int unsigned b = 1; b < CellCycles; b++) begin
+        if (`HMT_NOW(AtTest + b) && t_start != '0) begin
+          cell_x_q <= search_2(cell_x, 2 * (CellCycles - b) - 1, still_x, mx, ex, t_start);
+          cell_y_q <= search_2(cell_y, 2 * (CellCycles - b) - 1, still_y, my, ey, t_start);
+        end
+      end
+
+      if (`HMT_WITHIN(AtSpan, SpanCycles)) begin
+        if (low_x < high_x) begin
+          if (ends_beyond(exit_plane(cell_x[PlaneBits-1:0], middle(low_x, high_x)), side_plane, cfg_border_i,
+                          still_x, mx, ox, ex, t_end, t_end == cfg_t_end_i)) begin
+            low_x_q <= middle(low_x, high_x) + 1'b1;
           end else begin
-            cell_x_q <= search_2({-ox, still_x ? PlaneBits'(x0 >>> FractionBits) : PlaneBits'(0)},
-                                 2 * CellCycles - 1, still_x, mx, ex, t_start);
-            cell_y_q <= search_2({-oy, still_y ? PlaneBits'(y0 >>> FractionBits) : PlaneBits'(0)},
-                                 2 * CellCycles - 1, still_y, my, ey, t_start);
-          end
-          low_x_q <= '0;
-          low_y_q <= '0;
-          high_x_q <= cfg_root_level_i;
-          high_y_q <= cfg_root_level_i;
-        end
-
-        for (int unsigned b = 1; b < CellCycles; b++) begin
-          if (`HMT_NOW(AtTest + b) && t_start != '0) begin
-            cell_x_q <= search_2(cell_x, 2 * (CellCycles - b) - 1, still_x, mx, ex, t_start);
-            cell_y_q <= search_2(cell_y, 2 * (CellCycles - b) - 1, still_y, my, ey, t_start);
+            high_x_q <= middle(low_x, high_x);
           end
         end
-
-        if (`HMT_WITHIN(AtSpan, SpanCycles)) begin
-          if (low_x < high_x) begin
-            if (ends_beyond(exit_plane(cell_x[PlaneBits-1:0], middle(low_x, high_x)), side_plane, cfg_border_i,
-                            still_x, mx, ox, ex, t_end, t_end == cfg_t_end_i)) begin
-              low_x_q <= middle(low_x, high_x) + 1'b1;
-            end else begin
-              high_x_q <= middle(low_x, high_x);
-            end
-          end
-          if (low_y < high_y) begin
-            if (ends_beyond(exit_plane(cell_y[PlaneBits-1:0], middle(low_y, high_y)), side_plane, cfg_border_i,
-                            still_y, my, oy, ey, t_end, t_end == cfg_t_end_i)) begin
-              low_y_q <= middle(low_y, high_y) + 1'b1;
-            end else begin
-              high_y_q <= middle(low_y, high_y);
-            end
+        if (low_y < high_y) begin
+          if (ends_beyond(exit_plane(cell_y[PlaneBits-1:0], middle(low_y, high_y)), side_plane, cfg_border_i,
+                          still_y, my, oy, ey, t_end, t_end == cfg_t_end_i)) begin
+            low_y_q <= middle(low_y, high_y) + 1'b1;
+          end else begin
+            high_y_q <= middle(low_y, high_y);
           end
         end
       end
-    end
+    endtask
+    always_ff @(posedge clk_i) if (here != '0) work();
   end
 
 `undef HMT_FROM

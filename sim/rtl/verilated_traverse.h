@@ -10,8 +10,8 @@ namespace cuesta::rtl {
 template <class V>
 class VerilatedTraverse final : public VerilatedUnit<V, TraversePort> {
  public:
-  VerilatedTraverse(const RtlParameters& set, int seed)
-      : VerilatedUnit<V, TraversePort>("traverse", seed),
+  VerilatedTraverse(const RtlParameters& set, int seed, const VerilatedRegions<V>& regions)
+      : VerilatedUnit<V, TraversePort>("traverse", seed, regions),
         plane_bits_(set.max_level + set.tile_bits + 3),
         fraction_bits_(set.fraction_bits),
         product_mask_((uint64_t{1} << (std::max(set.max_level + set.tile_bits + 2, set.height_bits + 1) +
@@ -23,6 +23,7 @@ class VerilatedTraverse final : public VerilatedUnit<V, TraversePort> {
     this->evaluate(TraversePort::Inputs{});
     this->clock();
     rtl().rst_ni = 1;
+    this->changed();
   }
   void configure(const TraversePort::Settings& settings) override {
     V& r = rtl();
@@ -36,6 +37,7 @@ class VerilatedTraverse final : public VerilatedUnit<V, TraversePort> {
     for (size_t level = 0; level < settings.level_base.size(); ++level) {
       r.cfg_level_base_i[level] = static_cast<uint32_t>(settings.level_base[level]);  // 32 bits each
     }
+    this->changed();
   }
 
   TraversePort::Outputs evaluate(const TraversePort::Inputs& in) override {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <type_traits>
 
 #include "models/common/error.h"
 #include "models/traversal/hit.h"
@@ -54,11 +55,20 @@ inline VerilatedContext& with_random_start(VerilatedContext& context, int seed) 
   return context;
 }
 
+/// What Verilator makes of V beside its class, declared weak by who instantiates it: what follows from inputs, and what
+/// the clock's edge does with all that follows. Null where V has none.
+template <class V>
+struct VerilatedRegions {
+  using Root = std::remove_pointer_t<decltype(V::rootp)>;
+  void (*inputs)(Root*);
+  void (*edge)(Root*);
+};
+
 /// Clock, reset and waves of a Verilated module V; Port is the interface that its user implements.
 template <class V, class Port>
 class VerilatedUnit : public Port {
  public:
-  VerilatedUnit(const char* name, int seed) {
+  VerilatedUnit(const char* name, int seed, const VerilatedRegions<V>& regions) : regions_(regions) {
     with_random_start(context_, seed);
 #ifdef CUESTA_RTL_WAVES
     context_.traceEverOn(true);
@@ -83,7 +93,18 @@ class VerilatedUnit : public Port {
 
   void clock() override {
     rtl_->clk_i = 1;
-    rtl_->eval();
+    if constexpr (kEdgeIsAll) {
+      if (regions_.edge != nullptr && regions_.inputs != nullptr && started_ && !waves_open()) {
+        auto& root = *rtl_->rootp;
+        root.__Vtrigrprev__TOP__clk_i = 1;
+        root.__VicoTriggered.at(0) = root.__VnbaTriggered.at(0) = true;
+        if (changed_) regions_.inputs(&root);
+        regions_.edge(&root);
+        changed_ = false;
+        return;
+      }
+    }
+    evaluate_all();
 #ifdef CUESTA_RTL_WAVES
     if (waves_) [[unlikely]] {
       waves_->dump(time_ + 1);
@@ -119,17 +140,19 @@ class VerilatedUnit : public Port {
 #endif
 
  protected:
+  /// An input has changed since the last evaluation.
+  void changed() { changed_ = true; }
   /// The outputs of the cycle, with the clock low. `settled`: they stand already, since the clock's last edge: no input
   /// that they follow from within a cycle has changed, and the clock's fall alone is no event of the hardware's.
   void settle(bool settled = false) {
     rtl_->clk_i = 0;
-    if constexpr (requires(V & v) { v.rootp->__Vtrigrprev__TOP__clk_i; }) {  // of Verilator 5.006
+    if constexpr (kEdgeIsAll) {
       if (settled && !waves_open()) {
         rtl_->rootp->__Vtrigrprev__TOP__clk_i = 0;
         return;
       }
     }
-    rtl_->eval();
+    evaluate_all();
 #ifdef CUESTA_RTL_WAVES
     if (waves_) [[unlikely]]
       waves_->dump(time_);
@@ -144,7 +167,23 @@ class VerilatedUnit : public Port {
   const V& rtl() const { return *rtl_; }
 
  private:
+  /// Nothing but the clock's edge is an event of V's: it can be done without looking for others. Verilator 5.006.
+  static constexpr bool kEdgeIsAll = requires(V & v) {
+    v.rootp->__Vtrigrprev__TOP__clk_i;
+    requires std::is_same_v<std::remove_cvref_t<decltype(v.rootp->__VnbaTriggered)>, VlTriggerVec<1>>;
+    requires std::is_same_v<std::remove_cvref_t<decltype(v.rootp->__VicoTriggered)>, VlTriggerVec<1>>;
+  };
+
+  void evaluate_all() {
+    rtl_->eval();
+    started_ = true;
+    changed_ = false;
+  }
+
   VerilatedContext context_;
+  VerilatedRegions<V> regions_;
+  bool started_ = false;  ///< evaluated once: initial values stand
+  bool changed_ = true;   ///< an input, since the last evaluation
   std::unique_ptr<V> rtl_;
 #ifdef CUESTA_RTL_WAVES
   std::unique_ptr<VerilatedFstC> waves_;

@@ -19,6 +19,9 @@
 // (parallel, side by side) or random in place and azimuth; memory that answers quickly or slowly. Both runs count the
 // same cycles, or the program stops. CPU time of this process; the table follows the runs.
 
+[[gnu::weak]] void Vhmt_top_bench___024root___eval_ico(Vhmt_top_bench___024root* root);
+[[gnu::weak]] void Vhmt_top_bench___024root___eval_nba(Vhmt_top_bench___024root* root);
+
 namespace cuesta {
 
 namespace rtl {
@@ -29,7 +32,9 @@ std::span<const RtlSet> rtl_sets() {
                                  {CUESTA_BENCH_VALUES},
                                  [](int seed) -> std::unique_ptr<HmtTopPort> {
                                    return std::make_unique<VerilatedHmtTop<Vhmt_top_bench>>(
-                                       rtl_sets()[0].parameters, seed);
+                                       rtl_sets()[0].parameters, seed,
+                                       VerilatedRegions<Vhmt_top_bench>{Vhmt_top_bench___024root___eval_ico,
+                                                                        Vhmt_top_bench___024root___eval_nba});
                                  },
                                  nullptr}};
   return sets;
