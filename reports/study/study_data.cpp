@@ -21,6 +21,19 @@ size_t counter_index(const StudyData& data, std::string_view name) {
   return index_of(data.counters, name, data);
 }
 
+std::string listed_values(const StudyAxis& axis, std::string_view separator) {
+  constexpr size_t kMost = 100, kShown = 6;
+  const size_t all = axis.values.size();
+  std::string text;
+  for (size_t k = 0; k < all; ++k) {
+    if (all > kMost && k >= kShown && k + 1 < all) continue;
+    if (!text.empty()) text += separator;
+    if (all > kMost && k + 1 == all) text += "..." + std::string(separator);
+    text += axis.values[k];
+  }
+  return all > kMost ? text + " (" + std::to_string(all) + ")" : text;
+}
+
 StudyTable::StudyTable(const StudyData& data) : data_(data) {
   size_t all = 1;
   for (const StudyAxis& axis : data.axes) all *= axis.values.size();

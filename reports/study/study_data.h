@@ -62,6 +62,9 @@ struct StudyData {
 size_t axis_index(const StudyData& data, std::string_view name);
 size_t counter_index(const StudyData& data, std::string_view name);
 
+/// The values of an axis with `separator` between them; of more than a hundred the first, the last and their number.
+std::string listed_values(const StudyAxis& axis, std::string_view separator);
+
 /// Reads a study's cases by place and by name. `data` must outlive it.
 class StudyTable {
  public:

@@ -16,6 +16,9 @@ std::string accuracy_page(const StudyData& data);
 std::string iterations_headline(const StudyData& data);
 std::string iterations_page(const StudyData& data);
 
+std::string precision_headline(const StudyData& data);
+std::string precision_page(const StudyData& data);
+
 std::string bandwidth_headline(const StudyData& data);
 std::string bandwidth_page(const StudyData& data);
 

@@ -257,9 +257,7 @@ std::string study_method(const StudyData& data) {
                         escape(sentence));
   };
   for (const StudyAxis& axis : data.axes) {
-    std::string values;
-    for (const std::string& value : axis.values) values += (values.empty() ? " " : ", ") + value;
-    item(axis.name, axis.unit, axis.sentence + values + ".");
+    item(axis.name, axis.unit, axis.sentence + " " + listed_values(axis, ", ") + ".");
   }
   for (const StudyCounter& counter : data.counters) item(counter.name, counter.unit, counter.sentence);
   return study_section("How it was counted", "", html + "</dl>");

@@ -17,9 +17,8 @@ std::string study_readme(const StudyData& data, const std::string& headline, boo
   text += data.partial() ? " (partial: the study was ended early)" : "";
   text += ", one run each:\n\n| axis | values |\n|---|---|\n";
   for (const StudyAxis& axis : data.axes) {
-    text += "| " + axis.name + (axis.unit.empty() ? "" : " (" + axis.unit + ")") + " |";
-    for (const std::string& value : axis.values) text += " " + value;
-    text += " |\n";
+    text += "| " + axis.name + (axis.unit.empty() ? "" : " (" + axis.unit + ")") + " | " +
+            listed_values(axis, " ") + " |\n";
   }
   text += "\n";
   for (const std::string& condition : data.conditions) text += "- " + condition + "\n";

@@ -6,6 +6,7 @@
 #include "sim/study/bandwidth.h"
 #include "sim/study/fidelity.h"
 #include "sim/study/iterations.h"
+#include "sim/study/precision.h"
 #include "sim/study/study.h"
 
 namespace cuesta {
@@ -20,6 +21,7 @@ constexpr Study kStudies[] = {
      nullptr, fidelity_timed_page},
     {"accuracy", accuracy_plan, 2, nullptr, make_accuracy_bench, accuracy_page, accuracy_headline,
      accuracy_pictures},
+    {"precision", precision_plan, 2, nullptr, make_precision_bench, precision_page, precision_headline},
 };
 
 }  // namespace
