@@ -74,14 +74,19 @@ void HmtTopUnit::configure() {
                         static_cast<uint64_t>(schedule.down) << 7 | static_cast<uint64_t>(schedule.up) << 9 |
                         static_cast<uint64_t>(schedule.stop_level) << 12 |
                         static_cast<uint64_t>(job_.layout.kind() == TexelLayoutKind::kMorton) << 16;
-  const auto set = [this](int address, uint64_t value) {
-    top_->write_register(address, value);
+  const auto expect = [this](int address, uint64_t value) {
     const uint64_t held = top_->read_register(address);
     if (held == value) return;
-    throw Error(ExitCode::kMismatch, "Register " + std::to_string(address) + " of hmt_top holds " +
-                                         std::to_string(held) + " after " + std::to_string(value) +
-                                         " was written: the hardware is not what rtl/README.md says.");
+    throw Error(ExitCode::kMismatch, "Register " + std::to_string(address) + " of hmt_top reads as " +
+                                         std::to_string(held) + " in the place of " + std::to_string(value) +
+                                         ": the hardware is not what rtl/README.md says.");
   };
+  const auto set = [&](int address, uint64_t value) {
+    top_->write_register(address, value);
+    expect(address, value);
+  };
+  constexpr int kNoRegister = 63;
+  expect(kNoRegister, 0);
   set(kRegisterMode, mode);
   set(kRegisterTimeEnd, (uint64_t{1} << time_bits(map, format)) - 1);
   set(kRegisterRootBound, static_cast<uint64_t>(job_.work.pyramid->highest()));
