@@ -17,8 +17,9 @@ std::optional<double> number(const RunEntry& run, std::string_view name) {
 }
 
 std::string about_one_run(const Result& result, const RunEntry& run) {
-  std::string text = fmt::format("{} traced {} rays", label_of(result, run),
-                                 grouped(static_cast<int64_t>(run.finished_rays)));
+  std::string text = fmt::format("{} traced {} ray{}", label_of(result, run),
+                                 grouped(static_cast<int64_t>(run.finished_rays)),
+                                 run.finished_rays == 1 && !run.partial() ? "" : "s");
   if (run.partial()) text += fmt::format(" of {} (partial)", grouped(static_cast<int64_t>(run.all_rays)));
   text += " on " + run.scene;
   if (const auto cycles = quantity(run, "machine.cycles"))
@@ -81,8 +82,9 @@ bool timed(const Result& result, const RunGroup& group) {
 std::string figures(const Result& result, const RunGroup& group, const Best& best, bool with_time) {
   const std::string_view name = with_time ? "machine.cycles" : "steps_per_ray";
   const double value = *number(*best.run, name);
-  std::string text =
-      with_time ? grouped(static_cast<int64_t>(value)) + " cycles" : significant(value) + " steps per ray";
+  const std::string_view estimated = best.run->fidelity == "transaction" ? "an estimated " : "";
+  std::string text = with_time ? fmt::format("{}{} cycles", estimated, grouped(static_cast<int64_t>(value)))
+                               : significant(value) + " steps per ray";
   const RunEntry* baseline = baseline_of(result, *best.run);
   const auto change = against_baseline(result, *best.run, name);
   if (change) {
@@ -94,7 +96,7 @@ std::string figures(const Result& result, const RunGroup& group, const Best& bes
       text += fmt::format(" ({} % {} steps)", significant(std::abs(*steps) * 100),
                           *steps <= 0 ? "fewer" : "more");
     }
-  } else if (group.runs.size() > 1) {
+  } else if (best.compared > 1) {
     text += fmt::format(", the fewest of {}", best.compared);
   }
   return text;

@@ -1,5 +1,6 @@
 #include "sim/hit_judge.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -15,6 +16,18 @@ bool same_answer(const HitRecord& a, const HitRecord& b) {
 }
 
 }  // namespace
+
+int64_t in_error_parts(double error) {
+  constexpr double kMost = 1e15;
+  return std::llround(std::min(error * kErrorParts, kMost));
+}
+
+Histogram error_histogram(std::string name, std::span<const double> errors) {
+  std::vector<int64_t> parts;
+  parts.reserve(errors.size());
+  for (const double error : errors) parts.push_back(in_error_parts(error));
+  return make_histogram(std::move(name), std::move(parts));
+}
 
 HitJudge::HitJudge(const Workload& work, const NumberFormat& format) : work_(work), format_(format) {
   work_.search.reset();

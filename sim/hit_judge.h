@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "models/common/statistics.h"
 #include "models/oracle/verdict.h"
 #include "models/traversal/hit.h"
 #include "sim/machine.h"
@@ -19,12 +21,17 @@ struct Judgement {
   int64_t not_numbers = 0, unfinished = 0;  ///< rays without an answer
 
   bool wrong(size_t ray) const {
-    return verdicts[ray] && *verdicts[ray] != Verdict::kExact && *verdicts[ray] != Verdict::kTie;
+    return verdicts[ray] && is_wrong(*verdicts[ray]);
   }
   /// Of the rays that hit and truly hit: how far along the ray the found place lies from the true one, as the
   /// difference in height (height LSBs) and on the plane (texels).
   std::vector<double> height_errors, texel_errors;
 };
+
+/// Errors are counted in 256ths, of a height LSB or of a texel, rounded to nearest.
+inline constexpr double kErrorParts = 256;
+int64_t in_error_parts(double error);
+Histogram error_histogram(std::string name, std::span<const double> errors);
 
 /// Holds hits against exact arithmetic on the ray as it enters the machine.
 class HitJudge {

@@ -164,4 +164,27 @@ Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& chang
   return job;
 }
 
+std::vector<MachineRay> machine_rays(const Job& job, const NumberFormat& format) {
+  std::vector<MachineRay> rays;
+  rays.reserve(job.trace.rays.size());
+  for (const TracedRay& ray : job.trace.rays) rays.push_back(quantise(ray, job.map, format));
+  return rays;
+}
+
+Workload workload_of(const Job& job, std::span<const MachineRay> rays, const Algorithm& algorithm,
+                     const SearchMap* map) {
+  Workload work;
+  work.pyramid = &job.pyramid;
+  work.map = job.map;
+  work.rays = rays;
+  work.pixel_of_ray = job.pixel_of_ray;
+  work.width = job.trace.width;
+  work.height = job.trace.height;
+  work.schedule = algorithm.schedule;
+  work.search = algorithm.search;
+  work.search_map = map;
+  work.depth = job.scene.depth;
+  return work;
+}
+
 }  // namespace cuesta

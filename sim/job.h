@@ -9,6 +9,7 @@
 #include "models/heightmap/pyramid.h"
 #include "models/traversal/machine_ray.h"
 #include "reports/result.h"
+#include "sim/machine.h"
 #include "traces/front_end.h"
 #include "traces/ray_trace.h"
 #include "traces/scene.h"
@@ -46,5 +47,13 @@ Scene changed_scene(const std::string& scene_name_or_path, const SceneChanges& c
 /// Error(kIncomplete) when `watch` stops the making of rays.
 Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes,
                 const RayWatch& watch = {});
+
+/// A job's rays as they enter a machine with numbers of that format.
+std::vector<MachineRay> machine_rays(const Job& job, const NumberFormat& format);
+
+/// An algorithm over a job: `rays` of machine_rays; `map` what a search reads, nullptr for a schedule. All of them
+/// must outlive the workload.
+Workload workload_of(const Job& job, std::span<const MachineRay> rays, const Algorithm& algorithm,
+                     const SearchMap* map = nullptr);
 
 }  // namespace cuesta

@@ -60,11 +60,8 @@ const std::vector<MachineRay>& Measurer::rays_for(const NumberFormat& format) {
   for (const auto& [known, rays] : rays_) {
     if (known == format) return rays;
   }
-  std::vector<MachineRay> rays;
-  rays.reserve(job_.trace.rays.size());
-  for (const TracedRay& ray : job_.trace.rays) rays.push_back(quantise(ray, job_.map, format));
   rays_.clear();  // machines mostly share one format: keep the last one only
-  return rays_.emplace_back(format, std::move(rays)).second;
+  return rays_.emplace_back(format, machine_rays(job_, format)).second;
 }
 
 void Measurer::check(const Algorithm& named, const Architecture& architecture) const {
@@ -131,19 +128,9 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
                        const Progress& progress) {
   check(named, architecture);
   const Algorithm algorithm = algorithm_on(named, architecture.traverse);
-  Workload work;
+  const SearchMap* const map = algorithm.search ? &search_map_for(*algorithm.search) : nullptr;
+  Workload work = workload_of(job_, rays_for(number_format(architecture.traverse, job_.map)), algorithm, map);
   work.pyramid = &pyramid_for(algorithm);
-  work.map = job_.map;
-  work.rays = rays_for(number_format(architecture.traverse, job_.map));
-  work.pixel_of_ray = job_.pixel_of_ray;
-  work.width = job_.trace.width;
-  work.height = job_.trace.height;
-  work.schedule = algorithm.schedule;
-  if (algorithm.search) {
-    work.search = algorithm.search;
-    work.search_map = &search_map_for(*algorithm.search);
-    work.depth = job_.scene.depth;
-  }
   Outcome outcome = fidelity == Fidelity::kFunctional    ? run_functional(work, architecture, progress)
                     : fidelity == Fidelity::kTransaction ? run_transaction(work, architecture, progress)
                     : cycle_runner_ ? cycle_runner_(work, job_.trace.rays, architecture, progress)

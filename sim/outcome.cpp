@@ -1,7 +1,6 @@
 #include "sim/outcome.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "models/common/digest.h"
 #include "models/common/error.h"
@@ -151,7 +150,7 @@ void add_error_measurements(const Workload& work, const Judgement& judgement, Me
   counters.set("error.missed", count(Verdict::kMissed));
   counters.set("error.behind", count(Verdict::kBehind));
   counters.set("error.wrong_cell", count(Verdict::kWrongCell));
-  counters.set("error.wrong", count(Verdict::kMissed) + count(Verdict::kBehind) + count(Verdict::kWrongCell));
+  counters.set("error.wrong", judgement.counts.wrong());
   if (is_printed(work.search->kind)) {
     counters.set("error.nan", judgement.not_numbers);
     counters.set("error.unfinished", judgement.unfinished);
@@ -160,15 +159,8 @@ void add_error_measurements(const Workload& work, const Judgement& judgement, Me
   counters.set("preprocessing.texels_read", static_cast<int64_t>(cost.texels_read));
   counters.set("preprocessing.records", static_cast<int64_t>(cost.records_written));
   counters.set("preprocessing.bytes", static_cast<int64_t>(work.search_map->size_bytes()));
-  const auto add = [&](const char* name, const std::vector<double>& errors) {
-    constexpr double kParts = 256, kMost = 1e15;
-    std::vector<int64_t> parts;
-    parts.reserve(errors.size());
-    for (const double error : errors) parts.push_back(std::llround(std::min(error * kParts, kMost)));
-    measurements.histograms.push_back(make_histogram(name, std::move(parts)));
-  };
-  add("height_error", judgement.height_errors);
-  add("texel_error", judgement.texel_errors);
+  measurements.histograms.push_back(error_histogram("height_error", judgement.height_errors));
+  measurements.histograms.push_back(error_histogram("texel_error", judgement.texel_errors));
   measurements.planes.push_back(plane_of(work, "plane.wrong", [&](size_t k) { return judgement.wrong(k); }));
 }
 

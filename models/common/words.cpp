@@ -25,11 +25,21 @@ size_t edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+namespace {
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+}  // namespace
+
 std::string_view nearest_name(std::string_view found, std::span<const std::string_view> names) {
   std::string_view best;
   size_t best_distance = 1 + std::max<size_t>(1, found.size() / 3);
   for (std::string_view name : names) {
-    size_t distance = edit_distance(found, name);
+    size_t distance = edit_distance(lower_case(found), lower_case(name));
     // "way" for "ways" and "l1.ways" for "height_l1.ways" are meant whatever their length.
     if (found.size() >= 3 && (name.starts_with(found) || name.ends_with(found)))
       distance = std::min<size_t>(distance, 1);

@@ -18,6 +18,8 @@ enum class Verdict : uint8_t {
 };
 inline constexpr int kVerdicts = 5;
 std::string_view name_of(Verdict verdict);
+/// Ties are right.
+constexpr bool is_wrong(Verdict verdict) { return verdict != Verdict::kExact && verdict != Verdict::kTie; }
 
 /// Counts by verdict.
 struct VerdictCounts {
@@ -25,6 +27,7 @@ struct VerdictCounts {
   void add(Verdict verdict) { ++of[static_cast<size_t>(verdict)]; }
   int64_t count(Verdict verdict) const { return of[static_cast<size_t>(verdict)]; }
   int64_t total() const;
+  int64_t wrong() const { return total() - count(Verdict::kExact) - count(Verdict::kTie); }
 };
 
 /// An answer to be judged; `t` in machine time units, any rounding.

@@ -19,11 +19,10 @@ namespace cuesta {
 /// finds a line that a fill will have evicted by then, and its lines count as used too early. With one ray in the unit at
 /// a time nothing differs. Bubbles are counted by the reason that holds when they end.
 ///
-/// Not ray by ray: in the order of dispatch alone, whatever the time, the cache would read 8 to 18 % more lines than in
-/// fidelity cycle on the preset tiny, and with dda 2.7 times as many, since rays wait for a line together (scene default;
-/// on mobile 0.2 to 5 % more). Nor in turns of one step over the contexts: 7 to 10 %, dda 2.4 times. Bounds on top of such a
-/// traffic inherit its error. The price is an event for each miss, each replay and each ray: what is saved is the slots
-/// of steps that hit, which is little where many lookups miss.
+/// Not ray by ray: rays that are in the unit together wait for a line together, and in the order of dispatch alone each
+/// of them would find the cache as the rays before it have left it: more lines are read than in time, most of all by long
+/// walks (dda), and bounds on top of such a traffic inherit its error. The price is an event for each miss, each replay
+/// and each ray: what is saved is the slots of steps that hit, which is little where many lookups miss.
 class RunAheadTraverse final : public TraverseUnit {
  public:
   RunAheadTraverse(const HmtSite& site, RaySetupUnit& setup, HeightL1& l1);

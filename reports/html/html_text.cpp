@@ -42,7 +42,7 @@ std::string anchor_of(std::string_view name) {
   return anchor;
 }
 
-std::string series_class(size_t index) { return "s" + std::to_string(index % 10); }
+std::string series_class(size_t index) { return "s" + std::to_string(index % kSeriesColours); }
 
 std::string base64(std::string_view bytes) {
   static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

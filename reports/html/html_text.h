@@ -14,7 +14,9 @@ std::string safe_json(std::string json);
 /// An id or class made of a statistic's name: "def-height_l1-misses".
 std::string anchor_of(std::string_view name);
 
-/// Colour class of the n-th run in a group: "s0" to "s9".
+/// Colour classes that style.css has: "s0" to "s12".
+inline constexpr size_t kSeriesColours = 13;
+/// Colour class of the n-th run in a group; they repeat.
 std::string series_class(size_t index);
 
 std::string base64(std::string_view bytes);

@@ -5,48 +5,51 @@
 
 #include "reports/html/html_text.h"
 #include "reports/html/svg_bar_plot.h"
-#include "reports/html/svg_scatter_plot.h"
 #include "reports/numbers.h"
 #include "reports/study/study_pages.h"
 #include "reports/study/study_parts.h"
+#include "reports/study/view_times_section.h"
 
 namespace cuesta {
 namespace html {
+
 namespace {
 
-constexpr double kParts = 256;  // of a height LSB, of a texel
-constexpr Quotient kCycles{"cycles", "rays"}, kSteps{"steps", "rays"}, kBytes{"dram_read_bytes", "rays"};
-constexpr const char* kExactOne = "yun2013";
-
-/// "relief" of "relief:steps=64".
-std::string family(const std::string& algorithm) { return algorithm.substr(0, algorithm.find(':')); }
+using ReadPlace = std::function<std::optional<double>(const StudyPlace&)>;
 
 bool is_exact(const std::string& algorithm) {
   return algorithm == "dda" || algorithm == "oh2006" || algorithm == "yun2013";
 }
 
-/// Rays that are wrong, per cent.
-std::optional<double> wrong(const StudyTable& table, const StudyPlace& place) {
-  const auto rays = table.value(place, "rays");
-  if (!rays || *rays == 0) return std::nullopt;
-  int64_t sum = 0;
-  for (const char* verdict : {"missed", "behind", "wrong_cell"})
-    sum += table.value(place, verdict).value_or(0);
-  return 100 * static_cast<double>(sum) / static_cast<double>(*rays);
+/// What shares a colour: exact algorithms, and searches that differ in parameters alone.
+std::string kind_of(const std::string& algorithm) {
+  return is_exact(algorithm) ? "exact" : algorithm.substr(0, algorithm.find(':'));
 }
 
-double median_of(const StudyTable& table, const Where& where,
-                 const std::function<std::optional<double>(const StudyPlace&)>& number) {
+/// Rays that are wrong, per cent.
+ReadPlace wrong_reader(const StudyTable& table) {
+  return [&table](const StudyPlace& place) -> std::optional<double> {
+    const auto rays = table.value(place, "rays");
+    if (!rays || *rays == 0) return std::nullopt;
+    int64_t sum = 0;
+    for (const char* verdict : {"missed", "behind", "wrong_cell"})
+      sum += table.value(place, verdict).value_or(0);
+    return 100 * static_cast<double>(sum) / static_cast<double>(*rays);
+  };
+}
+
+std::string percentage(double value) { return significant(value, 3) + " %"; }
+
+constexpr const char* kExactOne = "yun2013";
+constexpr double kParts = 256;  // of a height LSB, of a texel
+constexpr Quotient kCycles{"cycles", "rays"}, kSteps{"steps", "rays"}, kBytes{"dram_read_bytes", "rays"};
+
+double median_of(const StudyTable& table, const Where& where, const ReadPlace& number) {
   return spread(places_where(table, where), number).median;
 }
 
-std::function<std::optional<double>(const StudyPlace&)> reader(const StudyTable& table,
-                                                               const Quotient& quotient) {
+ReadPlace reader(const StudyTable& table, const Quotient& quotient) {
   return [&table, quotient](const StudyPlace& place) { return value_of(table, place, quotient); };
-}
-
-std::function<std::optional<double>(const StudyPlace&)> wrong_reader(const StudyTable& table) {
-  return [&table](const StudyPlace& place) { return wrong(table, place); };
 }
 
 /// Error, cycles and bytes of every algorithm in the views of one depth and angle: medians over the maps.
@@ -60,13 +63,6 @@ ScatterPlot cost_plot(const StudyTable& table, const std::string& depth, const s
   for (const std::string& algorithm : table.axis("algorithm").values) {
     const Where where = {{"depth", depth}, {"angle", angle}, {"algorithm", algorithm}};
     if (places_where(table, where).empty()) continue;
-    const std::string kind = is_exact(algorithm) ? "exact" : family(algorithm);
-    auto series = std::find_if(plot.series.begin(), plot.series.end(),
-                               [&](const ScatterSeries& one) { return one.label == kind; });
-    if (series == plot.series.end()) {
-      plot.series.push_back({kind, kind == "exact" ? "baseline" : series_class(plot.series.size() % 10), {}});
-      series = plot.series.end() - 1;
-    }
     ScatterPoint point;
     point.x = median_of(table, where, reader(table, kCycles));
     point.y = median_of(table, where, wrong_reader(table));
@@ -75,7 +71,7 @@ ScatterPlot cost_plot(const StudyTable& table, const std::string& depth, const s
                             algorithm, significant(point.y, 3), significant(point.x, 3),
                             significant(median_of(table, where, reader(table, kSteps)), 3),
                             significant(point.area, 3));
-    series->points.push_back(std::move(point));
+    add_point(kind_of(algorithm), std::move(point), plot);
   }
   return plot;
 }
@@ -115,10 +111,9 @@ std::string cost_section(const StudyTable& table) {
 std::string verdict_section(const StudyTable& table) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const std::string& depth : table.axis("depth").values) {
-    panels.emplace_back(
-        "wrong rays, depth " + depth,
-        median_table(table, "angle", table.axis("algorithm").values, {{"depth", depth}}, wrong_reader(table),
-                     [](double value) { return significant(value, 3) + " %"; }));
+    panels.emplace_back("wrong rays, depth " + depth,
+                        median_table(table, "angle", table.axis("algorithm").values, {{"depth", depth}},
+                                     wrong_reader(table), percentage));
   }
   BarPlot plot;
   plot.title = "Verdicts over all views";
@@ -314,12 +309,27 @@ std::string accuracy_headline(const StudyData& data) {
       significant(cone.median, 2), relief.views, beaten, views);
 }
 
-std::string accuracy_page(const StudyData& data) {
-  using namespace html;
+namespace html {
+namespace {
+
+std::string page(const StudyData& data, const StudyTimes* times) {
   const StudyTable table(data);
-  return study_shell(data, accuracy_headline(data),
-                     cost_section(table) + one_percent_section(table) + picture_section(data) +
-                         verdict_section(table) + error_section(table) + study_method(data));
+  return study_shell(
+      data, accuracy_headline(data),
+      cost_section(table) + one_percent_section(table) +
+          (times != nullptr ? view_times_section(table, *times,
+                                                 {"What being right costs in wall time", kExactOne, kind_of,
+                                                  wrong_reader(table), "rays that are wrong"})
+                            : "") +
+          picture_section(data) + verdict_section(table) + error_section(table) + study_method(data));
+}
+
+}  // namespace
+}  // namespace html
+
+std::string accuracy_page(const StudyData& data) { return html::page(data, nullptr); }
+std::string accuracy_timed_page(const StudyData& data, const StudyTimes& times) {
+  return html::page(data, &times);
 }
 
 }  // namespace cuesta

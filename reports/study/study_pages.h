@@ -12,6 +12,8 @@ namespace cuesta {
 
 std::string accuracy_headline(const StudyData& data);
 std::string accuracy_page(const StudyData& data);
+/// With wall times, measured apart.
+std::string accuracy_timed_page(const StudyData& data, const StudyTimes& times);
 
 std::string iterations_headline(const StudyData& data);
 std::string iterations_page(const StudyData& data);
@@ -26,5 +28,10 @@ std::string fidelity_headline(const StudyData& data);
 std::string fidelity_page(const StudyData& data);
 /// With wall times, measured apart.
 std::string fidelity_timed_page(const StudyData& data, const StudyTimes& times);
+
+std::string stability_headline(const StudyData& data);
+std::string stability_page(const StudyData& data);
+/// With wall times, measured apart.
+std::string stability_timed_page(const StudyData& data, const StudyTimes& times);
 
 }  // namespace cuesta

@@ -251,6 +251,7 @@ std::string study_section(const std::string& title, const std::string& lead, con
 std::string study_method(const StudyData& data) {
   std::string html = "<ul class=\"prose\">";
   for (const std::string& condition : data.conditions) html += "<li>" + escape(condition) + "</li>";
+  html += "<li>A median over an even number of cases is the lower of the middle two.</li>";
   html += "</ul><dl class=\"definitions\">";
   auto item = [&](const std::string& name, const std::string& unit, const std::string& sentence) {
     html += fmt::format("<div><dt>{}<small>{}</small></dt><dd>{}</dd></div>", escape(name), escape(unit),

@@ -2,13 +2,15 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cuesta {
 
-/// One level of fidelity, or one way to run it, over one frame on one machine.
+/// One algorithm and one level of fidelity, or one way to run it, over one frame on one machine.
 struct TimedRun {
-  std::string machine;
+  std::string machine;  ///< empty: the level has none
+  std::string algorithm;
   std::string level;   ///< "cycle", "cycle in SystemC" ...
   double seconds = 0;  ///< wall time: the median of several runs
   int64_t rays = 0;
@@ -20,6 +22,8 @@ struct TimedRun {
 struct StudyTimes {
   std::string host, processor, date, load, build;
   std::string frame;  ///< what was run, in a sentence
+  /// Where the frame is a view of the study: axis = value, as a case of it has them; else empty.
+  std::vector<std::pair<std::string, std::string>> view;
   std::vector<TimedRun> runs;
 };
 

@@ -1,9 +1,6 @@
 #include "sim/cli/result_output.h"
 
-#include <unistd.h>
-
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 
 #include "models/common/build_info.h"
@@ -14,25 +11,14 @@
 #include "reports/table.h"
 #include "reports/write_result.h"
 #include "sim/cli/standard_output.h"
+#include "sim/host_facts.h"
 
 namespace cuesta {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string time_of_day() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
-
-std::string host_name() {
-  char name[256] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
+constexpr const char* kTimeOfDay = "%Y-%m-%dT%H:%M:%SZ";
 
 /// A file name's letters only.
 std::string fit_for_a_file(std::string text) {
@@ -83,7 +69,7 @@ Result begin_result(const std::string& command, const Session& session) {
   for (const LinkedLibrary& library : build.libraries)
     manifest.libraries.emplace_back(library.name, library.version);
   manifest.environment = {
-      {"command_line", session.command_line}, {"host", host_name()}, {"started", time_of_day()}};
+      {"command_line", session.command_line}, {"host", host_name()}, {"started", time_now(kTimeOfDay)}};
   return result;
 }
 
@@ -147,7 +133,7 @@ ExitCode finish_result(Result& result, size_t planned, const std::vector<Resolve
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   char wall[32];
   std::snprintf(wall, sizeof wall, "%.3f", seconds.count());
-  result.manifest.environment.emplace_back("ended", time_of_day());
+  result.manifest.environment.emplace_back("ended", time_now(kTimeOfDay));
   result.manifest.environment.emplace_back("wall_seconds", wall);
   if (whole < planned) {
     result.manifest.environment.emplace_back(

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "models/common/words.h"
+#include "sim/hosts/systemc/systemc_host.h"
 #include "sim/measure.h"
 #include "sim/transaction_run.h"
 
@@ -149,6 +150,11 @@ std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names) {
     const bool grouped = std::ranges::all_of(groups, [](std::string_view group) {
       return group == "all" || group == "parts" || group == "searches" || group == "printed";
     });
+    if (!grouped && !found.empty() && name.find('=') < name.find(':')) {
+      throw usage_error("`" + printable(name) +
+                        "` stands after a comma, where the next algorithm begins; accepted is " +
+                        found.back().id + ":" + printable(name) + " for one with that parameter.");
+    }
     if (!grouped) add(parse_algorithm(name));
     for (size_t k = 0; grouped && k < groups.size(); ++k) {
       std::ranges::for_each(groups[k] == "all"       ? algorithms()
@@ -192,11 +198,7 @@ void check_searches(const std::vector<Algorithm>& algorithms,
                     const std::vector<ResolvedArchitecture>& machines, Host host) {
   for (const Algorithm& algorithm : algorithms) {
     if (algorithm.exact()) continue;
-    if (host == Host::kSystemC) {
-      throw usage_error(
-          "--host systemc serves the bytes of the pyramid's image, and " + algorithm.id +
-          " is a search, which reads records of its own; accepted with it are exact algorithms.");
-    }
+    if (host == Host::kSystemC) check_served_by_systemc(algorithm);
     for (const ResolvedArchitecture& machine : machines) {
       algorithm_on(algorithm, machine.architecture.traverse);
       const UnitParameters& units = machine.architecture.units;

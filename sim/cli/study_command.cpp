@@ -4,9 +4,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "models/common/words.h"
 #include "reports/result_json.h"
 #include "reports/study/study_readme.h"
-#include "sim/cli/level_times.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/standard_output.h"
@@ -21,9 +21,8 @@ namespace {
 class StudyCommand : public Command {
  public:
   void declare(CLI::App& app) override {
-    std::string names;
-    for (const Study& study : studies()) names += (names.empty() ? "" : ", ") + std::string(study.name);
-    app.add_option("name", name_, "Which study: " + names)->required();
+    app.add_option("name", name_, "Which study: " + names_of_studies([](const Study&) { return true; }))
+        ->required();
     app.add_option("-o,--output", folder_,
                    "Folder; default: reports/published/NAME, with --quick results/NAME-quick");
     app.add_option("--resume", resume_,
@@ -40,9 +39,9 @@ class StudyCommand : public Command {
     const auto start = std::chrono::steady_clock::now();
     const Study& study = find_study(name_);
     if (folder_.empty()) folder_ = quick_ ? "results/" + name_ + "-quick" : "reports/published/" + name_;
-    if (times_ && study.timed_page == nullptr) {
-      throw usage_error(
-          "--times measures the wall time of each level of fidelity; accepted with study fidelity.");
+    if (times_ && study.times == nullptr) {
+      throw usage_error("Study " + name_ + " measures no wall times; --times is accepted with " +
+                        names_of_studies([](const Study& one) { return one.times != nullptr; }) + ".");
     }
     Result manifest = begin_result("study", session);
     manifest.manifest.seeds.emplace_back("maps", "1");
@@ -64,7 +63,9 @@ class StudyCommand : public Command {
     folder.write("data.json", study_json(data));
     folder.write("data.csv", study_csv(data));
     if (times_) {
-      const StudyTimes times = measure_levels(session);
+      ProgressBar bar(session, "wall times", "runs", 0);
+      const StudyTimes times =
+          study.times(quick_, [&](uint64_t finished, uint64_t) { return bar.update(finished); });
       folder.write("times.json", times_json(times));
       folder.write("report.html", study.timed_page(data, times));
     } else {
@@ -83,6 +84,14 @@ class StudyCommand : public Command {
   }
 
  private:
+  static std::string names_of_studies(bool (*wanted)(const Study& study)) {
+    std::vector<std::string_view> names;
+    for (const Study& study : studies()) {
+      if (wanted(study)) names.push_back(study.name);
+    }
+    return joined(names);
+  }
+
   StudyData measured(const Study& study, const Session& session) const {
     const uint64_t all = planned_places(study, study.plan(quick_)).size();
     ProgressBar bar(session, name_, "cases", all);

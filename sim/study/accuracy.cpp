@@ -9,26 +9,16 @@
 #include "sim/hit_judge.h"
 #include "sim/study/picture_error.h"
 #include "sim/study/view_bench.h"
+#include "sim/study/view_times.h"
 
 namespace cuesta {
 namespace {
 
 constexpr int kPictureWidth = 256;
-constexpr double kParts = 256;  // of a height LSB and of a texel
-
-int64_t in_parts(double error) { return std::llround(std::min(error * kParts, 1e12)); }
-
 int64_t root_mean_square(const std::vector<double>& errors) {
   double squares = 0;
   for (const double error : errors) squares += error * error;
-  return errors.empty() ? 0 : in_parts(std::sqrt(squares / static_cast<double>(errors.size())));
-}
-
-Histogram histogram_of(const std::vector<double>& errors) {
-  std::vector<int64_t> parts;
-  parts.reserve(errors.size());
-  for (const double error : errors) parts.push_back(in_parts(error));
-  return make_histogram("texel_error", std::move(parts));
+  return errors.empty() ? 0 : in_error_parts(std::sqrt(squares / static_cast<double>(errors.size())));
 }
 
 class AccuracyBench : public ViewBench {
@@ -52,7 +42,8 @@ class AccuracyBench : public ViewBench {
       depths_[k] = judge.depth_of(k, outcome.hits[k], architecture_.traverse.arithmetic);
     }
     const PictureError picture = picture_error(true_depths_, depths_, kPictureWidth);
-    const Histogram heights = histogram_of(found.height_errors), texels = histogram_of(found.texel_errors);
+    const Histogram heights = error_histogram("height_error", found.height_errors);
+    const Histogram texels = error_histogram("texel_error", found.texel_errors);
     const Counters& counters = outcome.measurements.counters;
     const PreprocessingCost cost = work.search ? work.search_map->cost() : PreprocessingCost{};
     const auto count = [&](Verdict verdict) { return found.counts.count(verdict); };
@@ -188,6 +179,11 @@ StudyData accuracy_plan(bool quick) {
 std::unique_ptr<StudyBench> make_accuracy_bench(const StudyData& plan,
                                                 std::span<const uint16_t> size_and_map) {
   return std::make_unique<AccuracyBench>(plan, size_and_map);
+}
+
+StudyTimes accuracy_times(bool quick, const StudyProgress& progress) {
+  return view_times(accuracy_plan(quick),
+                    {{"size", "256"}, {"map", "rockbump"}, {"depth", "0.35"}, {"angle", "75"}}, progress);
 }
 
 }  // namespace cuesta

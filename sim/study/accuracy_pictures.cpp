@@ -65,10 +65,10 @@ class Painter {
     changes.size = quick ? std::pair{160, 120} : std::pair{320, 240};
     job_ = prepare_job(subject.scene, changes);
     const NumberFormat format = number_format(architecture_.traverse, job_.map);
-    for (const TracedRay& ray : job_.trace.rays) rays_.push_back(quantise(ray, job_.map, format));
+    rays_ = machine_rays(job_, format);
     grid_.width = job_.trace.width;
     grid_.height = job_.trace.height;
-    judge_.emplace(work_of(*find_algorithm("yun2013"), nullptr), format);
+    judge_.emplace(workload_of(job_, rays_, *find_algorithm("yun2013")), format);
   }
 
   Picture paint(const std::vector<std::string>& names) {
@@ -79,7 +79,8 @@ class Painter {
       std::optional<SearchMap> map;
       if (algorithm.search) map.emplace(*algorithm.search, job_.pyramid, job_.map.address_mode);
       Traced one;
-      one.hits = run_functional(work_of(algorithm, map ? &*map : nullptr), architecture_).hits;
+      one.hits =
+          run_functional(workload_of(job_, rays_, algorithm, map ? &*map : nullptr), architecture_).hits;
       one.judgement = judge_->judge(one.hits, architecture_.traverse.arithmetic);
       for (const HitRecord& hit : one.hits) most_steps = std::max(most_steps, hit.steps);
       traced.push_back(std::move(one));
@@ -107,21 +108,6 @@ class Painter {
   }
 
  private:
-  Workload work_of(const Algorithm& algorithm, const SearchMap* map) const {
-    Workload work;
-    work.pyramid = &job_.pyramid;
-    work.map = job_.map;
-    work.rays = rays_;
-    work.pixel_of_ray = job_.pixel_of_ray;
-    work.width = job_.trace.width;
-    work.height = job_.trace.height;
-    work.schedule = algorithm.schedule;
-    work.search = algorithm.search;
-    work.search_map = map;
-    work.depth = job_.scene.depth;
-    return work;
-  }
-
   template <class Paint>
   void add_row(const std::string& title, const std::vector<Traced>& traced, Paint&& paint) {
     grid_.rows.push_back(title);

@@ -7,6 +7,7 @@
 #include "sim/study/fidelity.h"
 #include "sim/study/iterations.h"
 #include "sim/study/precision.h"
+#include "sim/study/stability.h"
 #include "sim/study/study.h"
 
 namespace cuesta {
@@ -18,10 +19,12 @@ constexpr Study kStudies[] = {
     {"bandwidth", bandwidth_plan, 2, bandwidth_planned, make_bandwidth_bench, bandwidth_page,
      bandwidth_headline},
     {"fidelity", fidelity_plan, 2, fidelity_planned, make_fidelity_bench, fidelity_page, fidelity_headline,
-     nullptr, fidelity_timed_page},
+     nullptr, fidelity_times, fidelity_timed_page},
     {"accuracy", accuracy_plan, 2, nullptr, make_accuracy_bench, accuracy_page, accuracy_headline,
-     accuracy_pictures},
+     accuracy_pictures, accuracy_times, accuracy_timed_page},
     {"precision", precision_plan, 2, nullptr, make_precision_bench, precision_page, precision_headline},
+    {"stability", stability_plan, 2, nullptr, make_stability_bench, stability_page, stability_headline,
+     nullptr, stability_times, stability_timed_page},
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -18,6 +19,9 @@ class StudyBench {
   virtual std::vector<int64_t> run(const StudyPlace& place) = 0;
 };
 
+/// Called a few times a second from the calling thread with cases finished and in all; false ends the study early.
+using StudyProgress = std::function<bool(uint64_t finished, uint64_t all)>;
+
 /// A published question. A new study: a file of its own with plan, bench and page, and a row in the table of
 /// studies.cpp; runner, files, verb and tests take it from there.
 struct Study {
@@ -31,7 +35,8 @@ struct Study {
   std::string (*page)(const StudyData& data);      ///< the page, from the data alone
   std::string (*headline)(const StudyData& data);  ///< one sentence: what an architect takes away
   std::vector<StudyPicture> (*pictures)(bool quick) = nullptr;  ///< nullptr: none
-  /// The page with wall times, for a study that has any (`--times`); nullptr: none.
+  /// What `--times` measures on this host, and the page that shows it too; nullptr: the study has none.
+  StudyTimes (*times)(bool quick, const StudyProgress& progress) = nullptr;
   std::string (*timed_page)(const StudyData& data, const StudyTimes& times) = nullptr;
 };
 

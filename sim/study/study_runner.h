@@ -1,15 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "sim/study/study.h"
 
 namespace cuesta {
-
-/// Called a few times a second from the calling thread with cases finished and in all; false ends the study early.
-using StudyProgress = std::function<bool(uint64_t finished, uint64_t all)>;
 
 /// Every planned place, the last axis fastest.
 std::vector<StudyPlace> planned_places(const Study& study, const StudyData& plan);

@@ -52,6 +52,11 @@ StudyAxis angle_axis(std::vector<std::string> degrees) {
           std::move(degrees)};
 }
 
+StudyAxis turn_axis(std::vector<std::string> degrees) {
+  return {"turn", "degrees", "Of the view around the normal: at 0 rays run along an axis of the map.",
+          std::move(degrees)};
+}
+
 StudyAxis algorithm_axis(std::vector<std::string> ids) {
   return {"algorithm", "", "Schedule of the traversal, as `cuesta list algorithms` calls it.",
           std::move(ids)};
@@ -106,6 +111,7 @@ std::vector<std::string> view_conditions() {
 ViewBench::ViewBench(const StudyData& plan, std::span<const uint16_t> size_and_map,
                      std::vector<uint32_t> pixels)
     : plan_(plan), pixels_(std::move(pixels)) {
+  turns_ = std::ranges::any_of(plan.axes, [](const StudyAxis& axis) { return axis.name == "turn"; });
   const std::string& size =
       plan.axes[axis_index(plan, "size")].values[size_and_map[axis_index(plan, "size")]];
   const std::string& map = plan.axes[axis_index(plan, "map")].values[size_and_map[axis_index(plan, "map")]];
@@ -121,10 +127,14 @@ const std::string& ViewBench::value(const StudyPlace& place, std::string_view ax
 }
 
 const std::vector<MachineRay>& ViewBench::rays_at(const StudyPlace& place, const NumberFormat& format) {
-  const std::string view = value(place, "depth") + " deep at " + value(place, "angle") + " degrees";
+  std::string view = value(place, "depth") + " deep at " + value(place, "angle") + " degrees";
+  ParallelView wanted = study_view(number_at(plan_, place, "angle"), number_at(plan_, place, "depth"));
+  if (turns_) {
+    view += ", turned by " + value(place, "turn");
+    wanted.turn_degrees = number_at(plan_, place, "turn");
+  }
   if (view == view_) return rays_;
-  const RayTrace picture =
-      parallel_rays(study_view(number_at(plan_, place, "angle"), number_at(plan_, place, "depth")));
+  const RayTrace picture = parallel_rays(wanted);
   rays_.clear();
   for (const uint32_t pixel : pixels_) rays_.push_back(quantise(picture.rays[pixel], map_, format));
   view_ = view;

@@ -25,6 +25,7 @@ StudyAxis map_axis(std::vector<std::string> names);
 StudyAxis size_axis(std::vector<std::string> texels);
 StudyAxis depth_axis(std::vector<std::string> values);
 StudyAxis angle_axis(std::vector<std::string> degrees);
+StudyAxis turn_axis(std::vector<std::string> degrees);
 StudyAxis algorithm_axis(std::vector<std::string> ids);
 
 /// All published algorithms and each of Yun's parts alone.
@@ -38,7 +39,8 @@ double number_at(const StudyData& plan, const StudyPlace& place, std::string_vie
 /// Pixels of the picture, row by row: all, or with `sampled` those of one warp of 8 x 4 pixels in four, evenly spread.
 std::vector<uint32_t> picture_pixels(bool sampled);
 
-/// A map with its pyramid, and the rays of one view after the other. For axes that begin with size, map, depth, angle.
+/// A map with its pyramid, and the rays of one view after the other. For axes that begin with size, map, depth, angle;
+/// a turn, where the plan has that axis, takes the place of study_view's.
 class ViewBench : public StudyBench {
  public:
   /// `pixels`: of the picture, those whose rays are traced.
@@ -63,6 +65,7 @@ class ViewBench : public StudyBench {
  private:
   const std::vector<MachineRay>& rays_at(const StudyPlace& place, const NumberFormat& format);
 
+  bool turns_ = false;
   std::map<SearchKind, SearchMap> search_maps_;
   std::vector<MachineRay> rays_;
   std::string view_;  ///< depth and angle of rays_

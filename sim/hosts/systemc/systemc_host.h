@@ -9,6 +9,9 @@
 
 namespace cuesta {
 
+/// Throws usage_error for a search: the host serves the bytes of the pyramid's image.
+void check_served_by_systemc(const Algorithm& algorithm);
+
 /// Runs machines inside a SystemC simulation: the machine's shell, its rays from a bus initiator, dram behind a TLM
 /// socket. The same outcome as run_cycle, cycle for cycle.
 ///

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "models/oracle/verdict.h"
+#include "tests/support/hand_made_rays.h"
 
 namespace cuesta {
 namespace {
@@ -11,28 +12,9 @@ namespace {
 // is 2^11 / 128 = 16 units for each of the 256 grid steps.
 constexpr NumberFormat kFormat{.fraction_bits = 8, .direction_bits = 8, .mantissa_bits = 4, .tile_bits = 4};
 constexpr int64_t kTexel = 4096;
-constexpr int64_t kLong = 1000 * kTexel;
 
 HeightGrid row(std::vector<uint16_t> texels) {
   return {static_cast<int>(texels.size()), 1, 8, std::move(texels)};
-}
-
-MapShape shape_of(const HeightGrid& grid, AddressMode mode) {
-  MapShape shape{grid.width, grid.height, 0, grid.bits, mode};
-  while ((1 << shape.root_level) < std::max(grid.width, grid.height)) ++shape.root_level;
-  return shape;
-}
-
-MachineRay ray_from(double x, double y, double z, int64_t dx, int64_t dy, int64_t dz, int64_t t_max = kLong) {
-  MachineRay ray;
-  ray.x0 = static_cast<int64_t>(x * 256);
-  ray.y0 = static_cast<int64_t>(y * 256);
-  ray.z0 = static_cast<int64_t>(z * 256);
-  ray.dx = dx;
-  ray.dy = dy;
-  ray.dz = dz;
-  ray.t_max = t_max;
-  return ray;
 }
 
 /// Leaf walk and brute force must say the same.

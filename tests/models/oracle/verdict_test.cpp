@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/hand_made_rays.h"
+
 namespace cuesta {
 namespace {
 
@@ -21,18 +23,6 @@ struct Case {
 };
 
 HeightGrid flat(int value) { return {4, 4, 8, std::vector<uint16_t>(16, static_cast<uint16_t>(value))}; }
-
-MachineRay ray_from(double x, double y, double z, int64_t dx, int64_t dy, int64_t dz) {
-  MachineRay ray;
-  ray.x0 = static_cast<int64_t>(x * 256);
-  ray.y0 = static_cast<int64_t>(y * 256);
-  ray.z0 = static_cast<int64_t>(z * 256);
-  ray.dx = dx;
-  ray.dy = dy;
-  ray.dz = dz;
-  ray.t_max = 1000 * kTexel;
-  return ray;
-}
 
 constexpr JudgedAnswer kMissAnswer{};
 JudgedAnswer hit_at(int64_t i, int64_t j, long double texels) { return {true, i, j, texels * kTexel}; }

@@ -6,29 +6,17 @@
 
 #include "models/oracle/bilinear_check.h"
 #include "models/oracle/bilinear_oracle.h"
+#include "tests/support/hand_made_rays.h"
 
 namespace cuesta {
 namespace {
 
 constexpr NumberFormat kFormat{.fraction_bits = 8, .direction_bits = 8, .mantissa_bits = 12, .tile_bits = 4};
 
-MapShape shape_of(const HeightGrid& grid, AddressMode mode) {
-  MapShape shape{grid.width, grid.height, 0, grid.bits, mode, Surface::kBilinear};
-  while ((1 << shape.root_level) < std::max(grid.width, grid.height)) ++shape.root_level;
-  return shape;
-}
+// Rays are in the frame of the patches; a component of 128 crosses a texel or an LSB in 1/128 of time.
 
-/// In the frame of the patches; a component of 128 crosses a texel or an LSB in 1/128 of time.
-MachineRay ray_from(double x, double y, double z, int64_t dx, int64_t dy, int64_t dz) {
-  MachineRay ray;
-  ray.x0 = static_cast<int64_t>(x * 256);
-  ray.y0 = static_cast<int64_t>(y * 256);
-  ray.z0 = static_cast<int64_t>(z * 256);
-  ray.dx = dx;
-  ray.dy = dy;
-  ray.dz = dz;
-  ray.t_max = int64_t{1} << 32;
-  return ray;
+MapShape patches_of(const HeightGrid& grid, AddressMode mode) {
+  return shape_of(grid, mode, Surface::kBilinear);
 }
 
 struct CountingReader {
@@ -42,7 +30,7 @@ struct CountingReader {
 
 HitRecord ask(const HeightGrid& grid, const MachineRay& ray, AddressMode mode = AddressMode::kClamp,
               CountingReader* counted = nullptr, const Schedule& schedule = {StartRule::kLeaf}) {
-  const MapShape shape = shape_of(grid, mode);
+  const MapShape shape = patches_of(grid, mode);
   const Pyramid pyramid = build_four_corner_pyramid(build_max_pyramid(grid), mode == AddressMode::kWrap);
   return with_bilinear_types(Arithmetic::kDouble, shape, [&]<class A, class G>() {
     const Walk<A, G> walk(shape, kFormat, schedule, pyramid.highest());
@@ -121,7 +109,7 @@ TEST(Bilinear, MovesTheRayByHalfATexelOnce) {
   traced.origin[1] = 0.125;  // the middle of texel 0
   traced.origin[2] = 1;
   traced.direction[2] = -1;
-  const MachineRay ray = quantise(traced, shape_of(grid, AddressMode::kWrap), kFormat);
+  const MachineRay ray = quantise(traced, patches_of(grid, AddressMode::kWrap), kFormat);
   EXPECT_EQ(ray.x0, 2 * 256 - 128);
   EXPECT_EQ(ray.y0, 0);
 }
@@ -129,7 +117,7 @@ TEST(Bilinear, MovesTheRayByHalfATexelOnce) {
 TEST(BilinearOracle, KnowsIrrationalTimesToTheBitsAskedFor) {
   // Heights 64 u v; the diagonal at z = 32 meets 64 s^2 = 32 at s = 1 / sqrt 2.
   const HeightGrid grid{2, 2, 8, {0, 0, 0, 64}};
-  const BilinearOracle oracle(ray_from(0, 0, 32, 128, 128, 0), grid, shape_of(grid, AddressMode::kBorder),
+  const BilinearOracle oracle(ray_from(0, 0, 32, 128, 128, 0), grid, patches_of(grid, AddressMode::kBorder),
                               kFormat);
   const BilinearHit found = oracle.walk(60);
   ASSERT_TRUE(found.hit);
@@ -142,7 +130,7 @@ TEST(BilinearOracle, KnowsIrrationalTimesToTheBitsAskedFor) {
   EXPECT_GE(s(found.t_high), root - 1e-18L);
   EXPECT_LE(s(found.t_high) - s(found.t_low), 1e-18L);
   // At z = 64 the ray only touches the far corner, with the patch's end: a hit if both readings are the other ones.
-  const BilinearOracle touching(ray_from(0, 0, 64, 128, 128, 0), grid, shape_of(grid, AddressMode::kBorder),
+  const BilinearOracle touching(ray_from(0, 0, 64, 128, 128, 0), grid, patches_of(grid, AddressMode::kBorder),
                                 kFormat);
   EXPECT_FALSE(touching.walk(60).hit);
   EXPECT_TRUE(touching.walk(60, {.touching = true, .edges_above = true}).hit);

@@ -117,7 +117,7 @@ TEST_P(Published, CasesRunAgainGiveTheCommittedCounts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Studies, Published,
-                         ::testing::Values("iterations", "bandwidth", "accuracy", "fidelity", "precision"),
+                         ::testing::Values("iterations", "bandwidth", "accuracy", "fidelity", "precision", "stability"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(PublishedFiles, HoldTheSameCasesAsJsonAndCsv) {

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <algorithm>
+
+#include "models/heightmap/height_grid.h"
+#include "models/traversal/machine_ray.h"
+
+namespace cuesta {
+
+/// Of a grid: its shape, without a pyramid.
+inline MapShape shape_of(const HeightGrid& grid, AddressMode mode, Surface surface = Surface::kTexel) {
+  MapShape shape{grid.width, grid.height, 0, grid.bits, mode, surface};
+  while ((1 << shape.root_level) < std::max(grid.width, grid.height)) ++shape.root_level;
+  return shape;
+}
+
+/// A ray written by hand, for formats of 8 fraction bits: origin in texels and height LSBs, direction and t_max as they
+/// enter the machine.
+inline MachineRay ray_from(double x, double y, double z, int64_t dx, int64_t dy, int64_t dz,
+                           int64_t t_max = int64_t{1} << 32) {
+  MachineRay ray;
+  ray.x0 = static_cast<int64_t>(x * 256);
+  ray.y0 = static_cast<int64_t>(y * 256);
+  ray.z0 = static_cast<int64_t>(z * 256);
+  ray.dx = dx;
+  ray.dy = dy;
+  ray.dz = dz;
+  ray.t_max = t_max;
+  return ray;
+}
+
+}  // namespace cuesta
