@@ -79,7 +79,7 @@ bool timed(const Result& result, const RunGroup& group) {
 }
 
 /// "1,262,580 cycles, 23.1 % fewer than oh2006 (14.9 % fewer steps)"
-std::string figures(const Result& result, const RunGroup& group, const Best& best, bool with_time) {
+std::string figures(const Result& result, const Best& best, bool with_time) {
   const std::string_view name = with_time ? "machine.cycles" : "steps_per_ray";
   const double value = *number(*best.run, name);
   const std::string_view estimated = best.run->fidelity == "transaction" ? "an estimated " : "";
@@ -161,7 +161,7 @@ std::string about_scenes(const Result& result, const std::vector<RunGroup>& grou
       text += (text.empty() ? "" : ". ") + fmt::format("{} needed the fewest {} on {}: ", label,
                                                        with_time ? "cycles" : "steps", group.scene);
     }
-    text += figures(result, group, best, with_time);
+    text += figures(result, best, with_time);
     winner = label;
   }
   return text.empty() ? "Nothing ran." : text + ".";
