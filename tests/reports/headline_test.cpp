@@ -45,6 +45,15 @@ TEST(Headline, KeepsApproximateRunsOutOfTheRaceAndNamesTheClosest) {
             "the cycles of yun2013.");
 }
 
+TEST(Headline, SaysWhichCyclesAreEstimated) {
+  Result result = result_of({run_of("oh2006", 1000, 2000), run_of("yun2013", 600, 1500)});
+  for (RunEntry& run : result.runs) run.fidelity = "transaction";
+  EXPECT_EQ(headline(result),
+            "yun2013 needed the fewest cycles on rocks: an estimated 1,500 cycles, 25.0 % fewer than oh2006 "
+            "(40.0 % "
+            "fewer steps).");
+}
+
 TEST(Headline, CountsStepsWhereThereIsNoTime) {
   const Result result = result_of({run_of("oh2006", 1000, 0), run_of("yun2013", 600, 0)});
   EXPECT_EQ(headline(result),

@@ -57,6 +57,7 @@ TEST_F(Searches, WhereTheyCannotGoTheyAreRefused) {
       {{"--algorithm", "steep", "--set", "traverse.up=always"}, "which has none"},
       {{"--algorithm", "relief:steps=0"}, "`steps=0` is not an ending of relief"},
       {{"--algorithm", "relif"}, "did you mean `relief`?"},
+      {{"--algorithm", "RELIEF"}, "did you mean `relief`?"},
   };
   for (const auto& [words, part] : cases) {
     Words all = {"run", "default", "--size", "16", "-q"};

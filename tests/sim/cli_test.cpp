@@ -30,6 +30,7 @@ TEST_F(CommandLine, WrongUsageEndsWithTwoAndTheNearestName) {
       {{"run", "default", "--algorithm", "tevs208"}, "did you mean `tevs2008`?"},
       {{"run", "default", "--algorithm", "dda,oh2006"}, "`cuesta compare` takes several"},
       {{"compare", "default", "--algorithm", "dda,dda"}, "given twice"},
+      {{"compare", "default", "--algorithm", "relief:steps=64,refine=5"}, "relief:steps=64:refine=5"},
       {{"compare", "default", "default"}, "Two scenes are named default"},
       {{"compare", "default", "--arch", "tiny,tiny"}, "Two architectures are named tiny"},
       {{"run", "default", "--fidelity", "exact"}, "accepted are functional, transaction, cycle, rtl"},

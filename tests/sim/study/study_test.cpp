@@ -117,7 +117,8 @@ TEST_P(Published, CasesRunAgainGiveTheCommittedCounts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Studies, Published,
-                         ::testing::Values("iterations", "bandwidth", "accuracy", "fidelity", "precision", "stability"),
+                         ::testing::Values("iterations", "bandwidth", "accuracy", "fidelity", "precision",
+                                           "stability"),
                          [](const auto& row) { return std::string(row.param); });
 
 TEST(PublishedFiles, HoldTheSameCasesAsJsonAndCsv) {
@@ -220,6 +221,57 @@ TEST(Iterations, TheSampleOfWarpsStandsForThePicture) {
     const StudyCase sample = run_cases(steps, a, {{1, 0, 0, angle, 1}}).at(0);
     const StudyCase whole = run_cases(cycles, b, {{1, 0, 0, angle, 0, 0}}).at(0);
     EXPECT_NEAR(per_ray(a, sample) / per_ray(b, whole), 1, 0.03) << angle;
+  }
+}
+
+TEST(Stability, EveryRayEndsInOneWayAndThoseOfExactSchedulesAlwaysEnd) {
+  const StudyData data =
+      parse_study_json(read("reports/published/stability/data.json"), "reports/published/stability");
+  const StudyTable table(data);
+  int64_t not_numbers = 0, unfinished = 0;
+  for (const StudyCase& one : data.cases) {
+    const auto count = [&](const char* name) { return *table.value(one.place, name); };
+    ASSERT_EQ(count("exact") + count("tie") + count("missed") + count("behind") + count("wrong_cell") +
+                  count("nan") + count("unfinished"),
+              count("rays"));
+    const std::string& algorithm = data.axes.back().values[one.place.back()];
+    if (algorithm.find("-printed") == std::string::npos) {
+      ASSERT_EQ(count("nan") + count("unfinished"), 0) << algorithm;
+    }
+    not_numbers += count("nan");
+    unfinished += count("unfinished");
+  }
+  EXPECT_GT(not_numbers, 0);
+  EXPECT_GT(unfinished, 0);
+}
+
+TEST(StudyTimes, EveryAlgorithmOfTheViewIsTimedOnEachLevel) {
+  const Study& study = find_study("accuracy");
+  const StudyTimes times = study.times(true, {});
+  const StudyData plan = study.plan(true);
+  const std::vector<std::string>& algorithms = plan.axes.back().values;
+  ASSERT_EQ(times.runs.size(), 3 * algorithms.size());
+  for (size_t k = 0; k < algorithms.size(); ++k) {
+    EXPECT_EQ(times.runs[3 * k].level, "map");
+    EXPECT_EQ(times.runs[3 * k + 1].level, "functional");
+    EXPECT_EQ(times.runs[3 * k + 2].level, "cycle");
+    for (size_t level = 0; level < 3; ++level) {
+      EXPECT_EQ(times.runs[3 * k + level].algorithm, algorithms[k]);
+      EXPECT_GT(times.runs[3 * k + level].seconds, 0);
+    }
+    EXPECT_EQ(times.runs[3 * k + 1].rays, 32768);
+    EXPECT_GT(times.runs[3 * k + 2].cycles, 0);
+  }
+  // The page finds the cases of that view.
+  const std::string page = study.timed_page(run_study(study, true, 2), times);
+  EXPECT_NE(page.find("What being right costs in wall time"), std::string::npos);
+  EXPECT_NE(page.find("angle 75"), std::string::npos);
+}
+
+TEST(StudyTimes, EndWhenProgressSaysNo) {
+  for (const Study& study : studies()) {
+    if (study.times == nullptr) continue;
+    EXPECT_THROW(study.times(true, [](uint64_t, uint64_t) { return false; }), Error) << study.name;
   }
 }
 
