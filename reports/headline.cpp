@@ -120,13 +120,13 @@ std::string about_searches(const Result& result, const RunGroup& group) {
     if (closest == nullptr || astray(run) < astray(*closest)) closest = &run;
   }
   if (closest == nullptr) return "";
-  const double wrong = astray(*closest);
-  std::string text =
-      searches == 1
-          ? fmt::format(" On {} {} is approximate: {} of its rays are wrong", group.scene,
-                        label_of(result, *closest), readable(wrong, "fraction"))
-          : fmt::format(" Of the {} approximate searches on {} {} comes closest: {} of its rays are wrong",
-                        searches, group.scene, label_of(result, *closest), readable(wrong, "fraction"));
+  const double wrong = ratio(*closest, "wrong_rays").value_or(0), lost = astray(*closest) - wrong;
+  std::string text = searches == 1
+                         ? fmt::format(" On {} {} is approximate: ", group.scene, label_of(result, *closest))
+                         : fmt::format(" Of the {} approximate searches on {} {} comes closest: ", searches,
+                                       group.scene, label_of(result, *closest));
+  text += readable(wrong, "fraction") + " of its rays are wrong";
+  if (lost > 0) text += " and " + readable(lost, "fraction") + " end without an answer";
   const std::string_view name = timed(result, group) ? "machine.cycles" : "steps_per_ray";
   const Best best = fewest(result, group, name);
   const auto value = number(*closest, name);

@@ -190,4 +190,9 @@ std::vector<Ratio> ratios_of(const RunEntry& run) {
   return ratios;
 }
 
+bool competes(const RunEntry& run) {
+  return !run.partial() && ratio(run, "nan_rays").value_or(0) == 0 &&
+         ratio(run, "endless_rays").value_or(0) == 0;
+}
+
 }  // namespace cuesta

@@ -55,6 +55,9 @@ struct Ratio {
 /// Nothing where a part was not counted or the denominator is 0.
 std::optional<Ratio> ratio(const RunEntry& run, const RatioDefinition& definition);
 std::optional<double> ratio(const RunEntry& run, std::string_view name);
+/// Whether a run may be the best of several: one that is partial, or leaves rays without an answer, has done less than
+/// the others.
+bool competes(const RunEntry& run);
 
 /// Every ratio that this run has, in the order of the definitions.
 std::vector<Ratio> ratios_of(const RunEntry& run);

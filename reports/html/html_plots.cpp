@@ -41,7 +41,7 @@ std::string number_plot(const Result& result, const RunGroup& group, const Ratio
   std::optional<double> best;
   for (size_t index : group.runs) {
     const auto value = ratio(result.runs[index], definition.name);
-    if (!value || definition.better == 0 || result.runs[index].partial()) continue;
+    if (!value || definition.better == 0 || !competes(result.runs[index])) continue;
     if (quantity(result.runs[index], "error.wrong") && definition.name != "wrong_rays" &&
         definition.name != "nan_rays" && definition.name != "endless_rays")
       continue;  // no fair race
@@ -55,7 +55,7 @@ std::string number_plot(const Result& result, const RunGroup& group, const Ratio
     plot.bars.push_back({label_of(result, run),
                          readable(*value, std::string(definition.unit)),
                          {{colour, *value, bar_tip(result, run, definition, *value), ""}},
-                         group.runs.size() > 1 && best && *value == *best && !run.partial()});
+                         group.runs.size() > 1 && best && *value == *best && competes(run)});
   }
   if (plot.bars.empty()) return "";
   if (definition.unit == "fraction") plot.full = 1;

@@ -25,6 +25,8 @@ constexpr Column kColumns[] = {
     {"Work", "steps_per_ray", "steps / ray", -1, true},
     {"Work", "rays_hit", "rays that hit", 0, false},
     {"Work", "wrong_rays", "rays wrong", -1, false},
+    {"Work", "nan_rays", "at NaN", -1, false},
+    {"Work", "endless_rays", "endless", -1, false},
     {"Time", "machine.cycles", "cycles", -1, true},
     {"Time", "cycles_per_ray", "cycles / ray", -1, false},
     {"Time", "rays_per_second", "rays / s", 1, false},
@@ -87,14 +89,14 @@ std::string table_head(const std::vector<Column>& columns, ShownNames& shown) {
   return "<thead>" + groups + "</tr>" + names + "</tr></thead>";
 }
 
-/// The best value among complete runs, where more than one has it and they differ.
+/// The best value among runs that compete, where more than one has it and they differ.
 std::optional<double> best_of(const Result& result, const RunGroup& group, const Column& column) {
   std::optional<double> best;
   bool differ = false;
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
     const auto value = value_of(run, column.name);
-    if (!value || column.better == 0 || run.partial()) continue;
+    if (!value || column.better == 0 || !competes(run)) continue;
     differ = differ || (best && *best != *value);
     if (!best || (*value - *best) * column.better > 0) best = value;
   }
@@ -105,7 +107,7 @@ std::string cell_of(const Result& result, const RunEntry& run, const Column& col
                     std::optional<double> best) {
   const auto value = value_of(run, column.name);
   if (!value) return "<td class=\"none\">-</td>";
-  const bool is_best = best && *value == *best && !run.partial();
+  const bool is_best = best && *value == *best && competes(run);
   std::string exact = *value == std::floor(*value) && std::fabs(*value) < 1e15
                           ? grouped(static_cast<int64_t>(*value))
                           : significant(*value, 7);

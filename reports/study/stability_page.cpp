@@ -99,7 +99,7 @@ std::string rates_section(const StudyTable& table) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const auto& [axis, name] :
        {std::pair{"angle", "by angle"}, std::pair{"turn", "by turn"}, std::pair{"map", "by map"}}) {
-    panels.emplace_back(std::string("wrong cell, ") + name, share_table(table, axis, {}, kWrong));
+    panels.emplace_back(std::string("wrong, ") + name, share_table(table, axis, {}, kWrong));
     panels.emplace_back(std::string("NaN, ") + name, share_table(table, axis, {}, {"nan"}));
     panels.emplace_back(std::string("never end, ") + name, share_table(table, axis, {}, {"unfinished"}));
   }

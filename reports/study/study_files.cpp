@@ -90,8 +90,8 @@ StudyData parsed(const Json& json) {
   for (const Json& row : json.at("cases")) {
     if (!rows.insert(row.at(0).dump()).second)
       throw input_error("case " + row.at(0).dump() + " is there twice");
-    if (row.at(1).size() != data.axes.back().values.size()) {
-      throw input_error("case " + row.at(0).dump() + " has not as many runs as the study has");
+    if (row.at(1).size() > data.axes.back().values.size()) {  // fewer: the study was stopped in the row
+      throw input_error("case " + row.at(0).dump() + " has more runs than the study has");
     }
     for (size_t k = 0; k < row.at(1).size(); ++k) {
       if (row.at(1).at(k).is_null()) continue;

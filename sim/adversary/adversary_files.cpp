@@ -1,6 +1,7 @@
 #include "sim/adversary/adversary_files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 
 #include "models/common/words.h"
@@ -80,6 +81,17 @@ std::string readme_text(const AdversaryRecord& record, const AdversaryResult& re
          " -o FOLDER\n\nand run from this folder by\n\n    " + reproducing_command(record, ".") + "\n";
 }
 
+/// As a shell reads it.
+std::string shell_word(const std::string& text) {
+  const bool plain = std::ranges::all_of(text, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '/' || c == '.' || c == '-' || c == '_' || c >= 0x80;
+  });
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 }  // namespace
 
 std::string finding_command(const AdversaryRecord& record, uint64_t tries) {
@@ -94,8 +106,8 @@ std::string finding_command(const AdversaryRecord& record, uint64_t tries) {
 }
 
 std::string reproducing_command(const AdversaryRecord& record, const std::string& folder) {
-  return "cuesta run " + folder + "/scene.toml --algorithm " + record.algorithm + " --arch " +
-         record.architecture + settings_of(record) + " --fidelity " +
+  return "cuesta run " + shell_word(folder + "/scene.toml") + " --algorithm " + record.algorithm +
+         " --arch " + record.architecture + settings_of(record) + " --fidelity " +
          (record.maximise == Maximise::kCycles ? "cycle" : "functional");
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "models/common/words.h"
 #include "reports/result_folder.h"
@@ -81,6 +82,8 @@ class AdversaryCommand : public Command {
     const Algorithm algorithm = algorithm_on(algorithms[0], architecture.traverse);
     const AddressMode mode = address_mode();
     AdversaryBounds& bounds = options_.bounds;
+    if (!std::isfinite(bounds.reach))
+      throw usage_error("--reach is no number; accepted are 0.001 to 7 tiles.");
     parse_map_size(size_, bounds.width, bounds.height);
     if (std::max(bounds.width, bounds.height) > kLongestSide) {
       throw usage_error("--size " + printable(size_) +

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -103,7 +104,8 @@ class StudyCommand : public Command {
 
   static std::string whole_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw input_error(path + " cannot be read; accepted is the data.json of a study.");
+    if (!file || std::filesystem::is_directory(path))
+      throw input_error(path + " cannot be read; accepted is the data.json of a study.");
     return {std::istreambuf_iterator<char>(file), {}};
   }
 

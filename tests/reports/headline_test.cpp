@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "reports/quantities.h"
+
 namespace cuesta {
 namespace {
 
@@ -43,6 +45,20 @@ TEST(Headline, KeepsApproximateRunsOutOfTheRaceAndNamesTheClosest) {
             "Of the 2 approximate searches on rocks relief comes closest: 2.0 % of its rays are wrong, at "
             "8.00 times "
             "the cycles of yun2013.");
+}
+
+TEST(Headline, TellsRaysWithoutAnAnswerFromWrongOnes) {
+  Result result = result_of({run_of("oh2006", 1000, 0), run_of("ki2007-printed", 900, 0)});
+  result.runs[1].measurements.counters.set("error.wrong", 2);
+  result.runs[1].measurements.counters.set("error.nan", 20);
+  result.runs[1].measurements.counters.set("error.unfinished", 5);
+  EXPECT_NE(headline(result).find(
+                "ki2007-printed is approximate: 2.0 % of its rays are wrong and 25.0 % end without "
+                "an answer"),
+            std::string::npos)
+      << headline(result);
+  EXPECT_FALSE(competes(result.runs[1]));
+  EXPECT_TRUE(competes(result.runs[0]));
 }
 
 TEST(Headline, SaysWhichCyclesAreEstimated) {

@@ -19,6 +19,16 @@ TEST(StudyFiles, WhatIsWrittenReadsBackTheSame) {
   }
 }
 
+TEST(StudyFiles, AStudyStoppedAfterAnyCaseReadsBack) {
+  const StudyData whole = tests::example_iterations();
+  for (size_t finished = 1; finished < whole.cases.size(); ++finished) {
+    StudyData stopped = whole;
+    stopped.cases.resize(finished);
+    const StudyData back = parse_study_json(study_json(stopped), "data.json");
+    EXPECT_EQ(study_csv(back), study_csv(stopped)) << finished;
+  }
+}
+
 TEST(StudyFiles, CsvHasARowPerCase) {
   const std::string csv = study_csv(tests::example_iterations());
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
