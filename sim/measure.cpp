@@ -43,7 +43,8 @@ void check_surface(const Scene& scene, const Algorithm& named, const Architectur
     throw usage_error(
         "Algorithm " + algorithm.id + " is a search, and scene " + scene.name +
         "'s surface is bilinear, against which searches are not judged; accepted with it are exact "
-        "algorithms, or surface.kind = \"texel\" (a search filters by its own ending :bilinear).");
+        "algorithms, or surface.kind = \"texel\" (a search may filter by an ending of its own, :bilinear or "
+        ":linear).");
   }
   MapShape map;
   map.surface = scene.surface;

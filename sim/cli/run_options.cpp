@@ -198,7 +198,7 @@ void check_searches(const std::vector<Algorithm>& algorithms,
                     const std::vector<ResolvedArchitecture>& machines, Host host) {
   for (const Algorithm& algorithm : algorithms) {
     if (algorithm.exact()) continue;
-    if (host == Host::kSystemC) check_served_by_systemc(algorithm);
+    if (host == Host::kSystemC) check_served_by_systemc(algorithm.search);
     for (const ResolvedArchitecture& machine : machines) {
       algorithm_on(algorithm, machine.architecture.traverse);
       const UnitParameters& units = machine.architecture.units;

@@ -53,15 +53,15 @@ SystemCHost::SystemCHost(const std::string& vcd, int pipelines, bool quiet) {
 
 SystemCHost::~SystemCHost() = default;
 
-void check_served_by_systemc(const Algorithm& algorithm) {
-  if (algorithm.exact()) return;
-  throw usage_error("--host systemc serves the bytes of the pyramid's image, and " + algorithm.id +
+void check_served_by_systemc(const std::optional<Search>& search) {
+  if (!search) return;
+  throw usage_error("--host systemc serves the bytes of the pyramid's image, and " + name_of(*search) +
                     " is a search, which reads records of its own; accepted with it are exact algorithms.");
 }
 
 Outcome SystemCHost::run(const Workload& work, std::span<const TracedRay> rays,
                          const Architecture& architecture, const Progress& progress) {
-  if (work.search) check_served_by_systemc(parse_algorithm(name_of(*work.search)));
+  check_served_by_systemc(work.search);
   const std::vector<uint32_t> order = dispatch_order(
       work.pixel_of_ray, work.width, architecture.ray_dispatch.order, architecture.ray_dispatch.tile_size);
   std::vector<TracedRay> in_order;

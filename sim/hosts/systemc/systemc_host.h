@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -10,7 +11,7 @@
 namespace cuesta {
 
 /// Throws usage_error for a search: the host serves the bytes of the pyramid's image.
-void check_served_by_systemc(const Algorithm& algorithm);
+void check_served_by_systemc(const std::optional<Search>& search);
 
 /// Runs machines inside a SystemC simulation: the machine's shell, its rays from a bus initiator, dram behind a TLM
 /// socket. The same outcome as run_cycle, cycle for cycle.
