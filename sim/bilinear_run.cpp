@@ -1,10 +1,10 @@
 #include "sim/bilinear_run.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "models/traversal/bilinear.h"
 #include "models/traversal/fetch.h"
+#include "sim/walk_source.h"
 
 namespace cuesta {
 
@@ -93,36 +93,27 @@ class LineReader {
 };
 
 template <class A, class G>
-class BilinearSource final : public StepSource {
+class BilinearSource final : public WalkSource<A, G> {
  public:
-  BilinearSource(const Workload& work, const Architecture& architecture, const TexelLayout& layout,
-                 const std::vector<uint32_t>& order)
-      : StepSource(static_cast<uint32_t>(order.size())),
-        work_(work),
-        layout_(layout),
-        order_(order),
-        line_shift_(std::countr_zero(static_cast<unsigned>(architecture.height_l1.line_bytes))),
-        walk_(work.map, number_format(architecture.traverse, work.map), work.schedule,
-              work.pyramid->highest()) {}
+  using WalkSource<A, G>::WalkSource;
 
  private:
+  using Batch = StepSource::Batch;
+  using WalkSource<A, G>::layout_;
+  using WalkSource<A, G>::line_shift_;
+  using WalkSource<A, G>::walk_;
+  using WalkSource<A, G>::work_;
+
   void produce(Batch& batch) override {
     batch.fetches.resize(batch.spans.size());
     for (size_t k = 0; k < batch.spans.size(); ++k) {
       const uint64_t first = batch.lines.size();
       LineReader reader(*work_.pyramid, layout_, line_shift_, work_.schedule.fetch, batch.lines);
-      batch.hits[k] =
-          traverse_bilinear_ray(walk_, *work_.pyramid, work_.rays[order_[batch.first_ray + k]], reader);
+      batch.hits[k] = traverse_bilinear_ray(walk_, *work_.pyramid, this->ray_at(batch, k), reader);
       batch.spans[k] = {first, batch.lines.size() - first};
       batch.fetches[k] = reader.counts();
     }
   }
-
-  const Workload& work_;
-  const TexelLayout& layout_;
-  const std::vector<uint32_t>& order_;
-  int line_shift_;
-  Walk<A, G> walk_;
 };
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "sim/hit_judge.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "models/oracle/exact_ray.h"
 #include "models/traversal/arithmetic.h"
+#include "models/traversal/hit_time.h"
 #include "sim/machine.h"
 
 namespace cuesta {
@@ -50,15 +50,8 @@ HitJudge::HitJudge(const Workload& work, const NumberFormat& format) : work_(wor
 
 double HitJudge::time_of(const HitRecord& hit, Arithmetic arithmetic) const {
   const double unit = DoubleArithmetic::format(work_.map, format_).unit_of_time;
-  switch (arithmetic) {
-    case Arithmetic::kFloat:
-      return static_cast<double>(std::bit_cast<float>(static_cast<uint32_t>(hit.t))) / unit;
-    case Arithmetic::kDouble:
-      return std::bit_cast<double>(hit.t) / unit;
-    case Arithmetic::kFixed:
-      break;
-  }
-  return static_cast<double>(hit.t);
+  const double t = recorded_time(hit, arithmetic);
+  return arithmetic == Arithmetic::kFixed ? t : t / unit;
 }
 
 double HitJudge::depth_of(size_t ray, const HitRecord& hit, Arithmetic arithmetic) const {

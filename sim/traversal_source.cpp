@@ -1,31 +1,30 @@
 #include "sim/traversal_source.h"
 
-#include <bit>
 #include <type_traits>
 
 #include "models/traversal/lanes.h"
 #include "models/traversal/traversal.h"
 #include "sim/bilinear_run.h"
 #include "sim/search_source.h"
+#include "sim/walk_source.h"
 
 namespace cuesta {
 
 namespace {
 
 template <class A, class G>
-class TraversalSource final : public StepSource {
+class TraversalSource final : public WalkSource<A, G> {
  public:
-  TraversalSource(const Workload& work, const Architecture& architecture, const TexelLayout& layout,
-                  const std::vector<uint32_t>& order)
-      : StepSource(static_cast<uint32_t>(order.size())),
-        work_(work),
-        layout_(layout),
-        order_(order),
-        line_shift_(std::countr_zero(static_cast<unsigned>(architecture.height_l1.line_bytes))),
-        walk_(work.map, number_format(architecture.traverse, work.map), work.schedule,
-              work.pyramid->highest()) {}
+  using WalkSource<A, G>::WalkSource;
 
  private:
+  using Batch = StepSource::Batch;
+  using WalkSource<A, G>::layout_;
+  using WalkSource<A, G>::line_shift_;
+  using WalkSource<A, G>::order_;
+  using WalkSource<A, G>::walk_;
+  using WalkSource<A, G>::work_;
+
   void produce(Batch& batch) override {
     if constexpr (std::is_same_v<Walk<A, G>, Walk<FixedArithmetic, PlainAxis>>) {
       if (lanes_can(walk_) && layout_.kind() != TexelLayoutKind::kMorton) {
@@ -38,12 +37,11 @@ class TraversalSource final : public StepSource {
     if (work_.schedule.fetch == FetchRule::kQuad) return produce_quads(batch);
     for (size_t k = 0; k < batch.spans.size(); ++k) {
       const uint64_t first = batch.lines.size();
-      batch.hits[k] =
-          traverse_ray(walk_, work_.rays[order_[batch.first_ray + k]], [&](int level, int64_t i, int64_t j) {
-            const int x = static_cast<int>(i), y = static_cast<int>(j);
-            batch.lines.push_back(static_cast<uint32_t>(layout_.offset(level, x, y) >> line_shift_));
-            return static_cast<int64_t>(work_.pyramid->at(level, x, y));
-          });
+      batch.hits[k] = traverse_ray(walk_, this->ray_at(batch, k), [&](int level, int64_t i, int64_t j) {
+        const int x = static_cast<int>(i), y = static_cast<int>(j);
+        batch.lines.push_back(static_cast<uint32_t>(layout_.offset(level, x, y) >> line_shift_));
+        return static_cast<int64_t>(work_.pyramid->at(level, x, y));
+      });
       batch.spans[k] = {first, batch.lines.size() - first};
     }
   }
@@ -55,27 +53,20 @@ class TraversalSource final : public StepSource {
       const uint64_t first = batch.lines.size();
       KeptQuad kept;
       FetchCounts& counts = batch.fetches[k];
-      batch.hits[k] =
-          traverse_ray(walk_, work_.rays[order_[batch.first_ray + k]], [&](int level, int64_t i, int64_t j) {
-            const int x = static_cast<int>(i), y = static_cast<int>(j);
-            if (kept.fetches(level, i, j)) {
-              const Quad quad = Quad::of(pyramid, level, x, y);
-              append_lines(layout_, line_shift_, quad, batch.lines);
-              counts.add({1, int64_t{quad.width} * quad.height});
-            } else {
-              batch.lines.push_back(kKeptStep);
-            }
-            return static_cast<int64_t>(pyramid.at(level, x, y));
-          });
+      batch.hits[k] = traverse_ray(walk_, this->ray_at(batch, k), [&](int level, int64_t i, int64_t j) {
+        const int x = static_cast<int>(i), y = static_cast<int>(j);
+        if (kept.fetches(level, i, j)) {
+          const Quad quad = Quad::of(pyramid, level, x, y);
+          append_lines(layout_, line_shift_, quad, batch.lines);
+          counts.add({1, int64_t{quad.width} * quad.height});
+        } else {
+          batch.lines.push_back(kKeptStep);
+        }
+        return static_cast<int64_t>(pyramid.at(level, x, y));
+      });
       batch.spans[k] = {first, batch.lines.size() - first};
     }
   }
-
-  const Workload& work_;
-  const TexelLayout& layout_;
-  const std::vector<uint32_t>& order_;
-  int line_shift_;
-  Walk<A, G> walk_;
 };
 
 }  // namespace

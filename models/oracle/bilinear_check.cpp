@@ -1,7 +1,6 @@
 #include "models/oracle/bilinear_check.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "models/oracle/checked_walks.h"
 #include "models/oracle/random_cases.h"
 #include "models/traversal/bilinear.h"
+#include "models/traversal/hit_time.h"
 
 namespace cuesta {
 namespace {
@@ -167,9 +167,7 @@ class Checker {
     const bool hit = found.status == HitStatus::kHit;
     // As the machine counts time, and as the oracle does, in grid steps.
     const bool is_float = arithmetic == Arithmetic::kFloat;
-    const long double t = !hit       ? 0.0L
-                          : is_float ? std::bit_cast<float>(static_cast<uint32_t>(found.t))
-                                     : std::bit_cast<double>(found.t);
+    const long double t = hit ? recorded_time(found, arithmetic) : 0.0L;
     const long double scale = std::ldexp(1.0L, map_.format.fraction_bits);
     const long double exact_t = truth.hit ? static_cast<long double>(truth.t_high.num) /
                                                 static_cast<long double>(truth.t_high.den) / scale

@@ -1,11 +1,11 @@
 #include "models/oracle/precision_check.h"
 
-#include <bit>
 #include <cmath>
 
 #include "models/common/error.h"
 #include "models/oracle/random_cases.h"
 #include "models/oracle/traced_ray.h"
+#include "models/traversal/hit_time.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {
@@ -35,10 +35,8 @@ TracedRay free_ray(Random& random, uint64_t id) {
 /// Time in machine units, for judging only.
 long double machine_time(const HitRecord& record, Arithmetic arithmetic, const NumberFormat& format) {
   const int shift = format.fraction_bits + format.direction_bits - 1 + format.mantissa_bits;
-  if (arithmetic == Arithmetic::kFloat)
-    return std::ldexp(std::bit_cast<float>(static_cast<uint32_t>(record.t)), shift);
-  if (arithmetic == Arithmetic::kDouble) return std::ldexp(std::bit_cast<double>(record.t), shift);
-  return static_cast<long double>(record.t);
+  if (arithmetic == Arithmetic::kFixed) return static_cast<long double>(record.t);
+  return std::ldexp(recorded_time(record, arithmetic), shift);
 }
 
 class Checker {

@@ -1,13 +1,13 @@
 #include "sim/adversary/adversary_score.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "models/oracle/checked_walks.h"
 #include "models/oracle/oracle.h"
 #include "models/oracle/verdict.h"
 #include "models/traversal/arithmetic.h"
+#include "models/traversal/hit_time.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {
@@ -137,9 +137,7 @@ double AdversaryScorer::score_of(const Algorithm& algorithm, const Prepared& pre
     const auto exact = exact_ray(ray, prepared.shape, prepared.format, OracleInput::kMachineInput);
     const auto truth = oracle_leaf_walk(exact, map);
     const bool hit = found.status == HitStatus::kHit;
-    double t = static_cast<double>(found.t);
-    if (arithmetic == Arithmetic::kFloat) t = std::bit_cast<float>(static_cast<uint32_t>(found.t)) / unit;
-    if (arithmetic == Arithmetic::kDouble) t = std::bit_cast<double>(found.t) / unit;
+    const double t = recorded_time(found, arithmetic) / (arithmetic == Arithmetic::kFixed ? 1 : unit);
     const Verdict verdict = judge(exact, map, truth, {hit, found.i, found.j, hit ? t : 0});
     if (verdict == Verdict::kTie) continue;
     if (hit != truth.hit) {

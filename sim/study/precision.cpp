@@ -1,7 +1,6 @@
 #include "sim/study/precision.h"
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -11,6 +10,7 @@
 #include "models/common/random.h"
 #include "models/common/statistics.h"
 #include "models/heightmap/generator.h"
+#include "models/traversal/hit_time.h"
 #include "models/traversal/traversal.h"
 #include "sim/study/view_bench.h"
 
@@ -79,10 +79,7 @@ ExactTime<BigInt> found_time(const HitRecord& record, const Format& format, int 
   const NumberFormat& number = format.number;
   ExactTime<BigInt> t{BigInt(record.t), machine_units_of(number, exponent)};
   if (format.arithmetic == Arithmetic::kFixed) return t;
-  const auto [whole, binary] =
-      as_dyadic(format.arithmetic == Arithmetic::kFloat
-                    ? static_cast<double>(std::bit_cast<float>(static_cast<uint32_t>(record.t)))
-                    : std::bit_cast<double>(record.t));
+  const auto [whole, binary] = as_dyadic(recorded_time(record, format.arithmetic));
   const int shift = binary + number.fraction_bits + number.direction_bits - 1 + number.mantissa_bits;
   t.num = BigInt(whole) << std::max(shift, 0);
   t.den = BigInt(t.den << std::max(-shift, 0));

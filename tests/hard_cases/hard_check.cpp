@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 
@@ -10,6 +9,7 @@
 #include "models/oracle/checked_walks.h"
 #include "models/search/search_walk.h"
 #include "models/traversal/bilinear.h"
+#include "models/traversal/hit_time.h"
 
 namespace cuesta {
 namespace {
@@ -41,18 +41,12 @@ HitRecord given_up() {
 JudgedAnswer to_judge(const HitRecord& found, Arithmetic arithmetic, const MapShape& shape,
                       const NumberFormat& format) {
   const bool hit = found.status == HitStatus::kHit;
-  long double t = hit ? static_cast<long double>(time_of(found, arithmetic)) : 0;
+  long double t = hit ? static_cast<long double>(recorded_time(found, arithmetic)) : 0;
   if (arithmetic != Arithmetic::kFixed) t /= DoubleArithmetic::format(shape, format).unit_of_time;
   return {hit, found.i, found.j, t};
 }
 
 }  // namespace
-
-double time_of(const HitRecord& hit, Arithmetic arithmetic) {
-  if (arithmetic == Arithmetic::kFloat) return std::bit_cast<float>(static_cast<uint32_t>(hit.t));
-  if (arithmetic == Arithmetic::kDouble) return std::bit_cast<double>(hit.t);
-  return static_cast<double>(hit.t);
-}
 
 HardChecker::HardChecker(HeightGrid grid, AddressMode mode, const NumberFormat& format, bool with_searches)
     : grid_(std::move(grid)), format_(format), pyramid_(build_max_pyramid(grid_)) {
@@ -133,7 +127,7 @@ void HardChecker::count(const std::string& name, const HitRecord& found, Arithme
     fail(counts, ray, name + " takes more steps than any walk can need", {}, found);
   }
   if (!hit) return;
-  const double t = time_of(found, arithmetic);
+  const double t = recorded_time(found, arithmetic);
   if (!(t >= 0) || std::isinf(t)) {
     ++counts.not_numbers;
     fail(counts, ray, name + " ends at a time that is not finite", {}, found);
@@ -207,7 +201,8 @@ void HardChecker::check_searches(const TracedRay& traced, HardCounts& counts) {
         if (!guarded || filter != SearchFilter::kTexel || times == Arithmetic::kFixed) continue;
         // Never later than the exact walk in the same arithmetic, nor without a hit that the walk has.
         if (walked.status != HitStatus::kHit) continue;
-        if (found.status == HitStatus::kHit && time_of(found, times) <= time_of(walked, times)) continue;
+        if (found.status == HitStatus::kHit && recorded_time(found, times) <= recorded_time(walked, times))
+          continue;
         ++counts.broken;
         fail(counts, traced, name + " is later than the surface", walked, found);
       }

@@ -84,9 +84,6 @@ class HardChecker {
   std::vector<SearchMap> search_maps_;
 };
 
-/// Real time of a hit in the unit of its arithmetic.
-double time_of(const HitRecord& hit, Arithmetic arithmetic);
-
 /// The table that the tests print.
 std::string describe(const HardCounts& counts);
 

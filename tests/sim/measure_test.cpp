@@ -157,15 +157,8 @@ TEST(HitJudge, KnowsTheTruthAndWhatLiesBeforeBehindAndBeside) {
   const Job job = job_on(64, 64, AddressMode::kWrap);
   const Architecture machine;
   const NumberFormat format = number_format(machine.traverse, job.map);
-  std::vector<MachineRay> rays;
-  for (const TracedRay& ray : job.trace.rays) rays.push_back(quantise(ray, job.map, format));
-  Workload work;
-  work.pyramid = &job.pyramid;
-  work.map = job.map;
-  work.rays = rays;
-  work.pixel_of_ray = job.pixel_of_ray;
-  work.width = job.trace.width;
-  work.height = job.trace.height;
+  const std::vector<MachineRay> rays = machine_rays(job, format);
+  const Workload work = workload_of(job, rays, *find_algorithm("dda"));
   const std::vector<HitRecord> truth = run_functional(work, machine).hits;
   HitJudge judge(work, format);
   const Judgement right = judge.judge(truth, Arithmetic::kFixed);
