@@ -111,13 +111,19 @@ std::vector<std::byte> TexelLayout::write_image(const Pyramid& pyramid) const {
                       " texels of " + std::to_string(texel_bytes()) + " bytes.");
   }
   std::vector<std::byte> image(size_bytes_);
+  const bool scattered = kind_ == TexelLayoutKind::kMorton || kind_ == TexelLayoutKind::kBlocks4x4;
+  const auto texel_size = static_cast<size_t>(texel_bytes());
   for (int level = pyramid.lowest_level(); level <= root_level(); ++level) {
-    for (int j = 0; j < levels_[level].height; ++j) {
-      for (int i = 0; i < levels_[level].width; ++i) {
-        uint64_t at = offset(level, i, j);
-        uint32_t value = pyramid.at(level, i, j);
-        for (int byte = 0; byte < texel_bytes(); ++byte) {
-          image[at + static_cast<uint64_t>(byte)] = static_cast<std::byte>((value >> (8 * byte)) & 0xFF);
+    const int width = levels_[level].width;
+    const uint16_t* row = pyramid.level(level);
+    for (int j = 0; j < levels_[level].height; ++j, row += width) {
+      std::byte* const first = image.data() + offset(level, 0, j);
+      for (size_t byte = 0; byte < std::min(texel_size, sizeof(*row)); ++byte) {
+        const auto part = [&](int i) { return static_cast<std::byte>(row[i] >> (8 * byte) & 0xFF); };
+        if (scattered) {
+          for (int i = 0; i < width; ++i) image[offset(level, i, j) + byte] = part(i);
+        } else {
+          for (int i = 0; i < width; ++i) first[static_cast<size_t>(i) * texel_size + byte] = part(i);
         }
       }
     }

@@ -26,13 +26,13 @@ class HmtTopPort : public WavePort {
   /// What the cycle was: HmtSlot... of rtl/traversal/traverse_types.svh.
   enum class Slot : uint8_t { kBubble, kStep, kMiss, kMerge, kRefused, kDead, kStall };
   struct Outputs {
-    bool ray_ready;
-    bool hit_valid;
-    bool request_valid;
-    int request_mshr;
-    uint64_t request_address;
-    Slot slot;
-    uint32_t slot_ray;  ///< of a slot that is neither bubble nor stall
+    bool ray_ready = false;
+    bool hit_valid = false;
+    bool request_valid = false;
+    Slot slot = Slot::kBubble;
+    uint32_t slot_ray = 0;  ///< of a slot that is neither bubble nor stall
+    int request_mshr = 0;   ///< of a request
+    uint64_t request_address = 0;
   };
 
   virtual ~HmtTopPort() = default;

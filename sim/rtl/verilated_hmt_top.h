@@ -50,36 +50,42 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
 
   HmtTopPort::Outputs evaluate(const HmtTopPort::Inputs& in) override {
     V& r = rtl();
-    bool changed = in.fill_mshr >= 0;
-    const auto put = [&changed](CData& port, bool value) {
-      changed |= port != value;
-      port = value;
-    };
-    put(r.ray_valid_i, in.ray != nullptr);
-    if (in.ray != nullptr && (in.ray != ray_ || in.ray_number != r.ray_id_i)) {
-      changed = true;
-      offer(*in.ray, in.ray_number);
-    }
-    put(r.ray_none_i, in.no_ray_to_come);
+    const Flags flags{in.ray != nullptr, in.no_ray_to_come, in.request_ready, in.hit_ready};
     // The only input that outputs follow from within the cycle.
-    const bool settled = settled_ && r.hit_ready_i == in.hit_ready;
-    put(r.hit_ready_i, in.hit_ready);
-    put(r.axi_ar_ready_i, in.request_ready);
-    put(r.axi_r_valid_i, in.fill_mshr >= 0);
+    const bool settled = settled_ && flags_.hit_ready == in.hit_ready;
+    if (flags != flags_ || !settled_) {
+      flags_ = flags;
+      r.ray_valid_i = flags.ray_valid;
+      r.ray_none_i = flags.no_ray_to_come;
+      r.axi_ar_ready_i = flags.request_ready;
+      r.hit_ready_i = flags.hit_ready;
+      this->changed();
+    }
+    if (in.ray != nullptr && (in.ray != ray_ || in.ray_number != r.ray_id_i)) {
+      offer(*in.ray, in.ray_number);
+      this->changed();
+    }
     if (in.fill_mshr >= 0) {
+      r.axi_r_valid_i = 1;
       r.axi_r_id_i = static_cast<uint8_t>(in.fill_mshr);
       std::memcpy(&r.axi_r_data_i, in.fill_data, line_bytes_);
+      this->changed();
+    } else if (r.axi_r_valid_i) {
+      r.axi_r_valid_i = 0;
+      this->changed();
     }
-    if (changed) this->changed();
     this->settle(settled);
     settled_ = true;
-    return {r.ray_ready_o != 0,
-            r.hit_valid_o != 0,
-            r.axi_ar_valid_o != 0,
-            r.axi_ar_id_o,
-            r.axi_ar_addr_o,
-            static_cast<HmtTopPort::Slot>(r.event_slot_o),
-            static_cast<uint32_t>(r.event_id_o)};
+    HmtTopPort::Outputs out{.ray_ready = r.ray_ready_o != 0,
+                            .hit_valid = r.hit_valid_o != 0,
+                            .request_valid = r.axi_ar_valid_o != 0,
+                            .slot = static_cast<HmtTopPort::Slot>(r.event_slot_o),
+                            .slot_ray = static_cast<uint32_t>(r.event_id_o)};
+    if (out.request_valid) {
+      out.request_mshr = r.axi_ar_id_o;
+      out.request_address = r.axi_ar_addr_o;
+    }
+    return out;
   }
 
   HitRecord hit() const override { return hit_record(this->rtl(), plane_bits_); }
@@ -101,10 +107,17 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
     r.ray_dead_i = ray.dead;
   }
 
+  /// Inputs of one bit.
+  struct Flags {
+    bool ray_valid = false, no_ray_to_come = false, request_ready = false, hit_ready = false;
+    bool operator==(const Flags& other) const = default;
+  };
+
   size_t line_bytes_;
   uint64_t position_mask_, direction_mask_;
   int plane_bits_;
   const MachineRay* ray_ = nullptr;  ///< at the inputs
+  Flags flags_;                      ///< at the inputs, once settled
   bool settled_ = false;             ///< evaluated since the reset
 };
 

@@ -23,7 +23,7 @@ class WrongHmtTop final : public HmtTopPort {
   void write_register(int, uint64_t) override {}
   uint64_t read_register(int) override { return 0; }
   Outputs evaluate(const Inputs&) override {
-    Outputs out{true, false, false, 0, 0, Slot::kBubble, 0};
+    Outputs out{.ray_ready = true};
     hmt_top_says(out);
     return out;
   }
