@@ -109,14 +109,12 @@ Real first_below(Real b0, Real b1, Real b2) {
   if (b0 < 0) return 0;
   const bool ends_below = b2 < 0;
   if (!ends_below && !(b1 < 0)) return -1;
-  if (b0 == 0) {
-    if (b1 > 0) return b1 / (b1 - b2 / 2);
-    return 0;  // b1 < 0, or b1 = 0 and b2 < 0
-  }
+  if (b0 == 0 && !(b1 > 0)) return 0;
   const Real discriminant = b1 * b1 - b0 * b2;
   if (!ends_below && !(discriminant > 0)) return -1;
-  // The smaller root, without cancellation; the denominator is b0 at least but for rounding.
-  return b0 / std::max(b0, b0 - b1 + std::sqrt(std::max<Real>(discriminant, 0)));
+  // The smaller root, in the form whose terms have one sign.
+  const Real root = std::sqrt(std::max<Real>(discriminant, 0));
+  return b1 > 0 ? (b1 + root) / (b1 + root - b2) : b0 / (b0 - b1 + root);
 }
 
 }  // namespace bilinear_detail
