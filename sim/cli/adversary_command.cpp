@@ -12,6 +12,7 @@
 #include "sim/cli/heightmap_command.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/run_options.h"
+#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 
 namespace cuesta {
@@ -56,7 +57,7 @@ class AdversaryCommand : public Command {
                    "Tiles that a ray moves at most, along u and along v, from the slab's top to its floor")
         ->check(CLI::Range(0.001, 7.0))
         ->capture_default_str();
-    app.add_option("--seed", options_.seed, "Another seed, another search")->capture_default_str();
+    add_seed_option(app, options_.seed, "Another seed, another search");
     auto* tries = app.add_option("--tries", tries_, "Cases to score; the same number finds the same case")
                       ->check(CLI::Range(uint64_t{1}, uint64_t{1000000000}));
     app.add_option("--seconds", seconds_,

@@ -16,6 +16,7 @@
 #include "models/heightmap/texel_layout.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 #include "traces/heightmaps/height_source_text.h"
 #include "traces/heightmaps/image_writer.h"
@@ -51,7 +52,7 @@ class MakeCommand : public Command {
     app.add_option("-o,--output", options_.output, "File to write: .png, .tif or .tiff")->required();
     app.add_option("--size", size_, "Texels: 256 or 640x480, 1 to 16384 on a side; default: the kind's own");
     app.add_option("--bits", options_.bits, "Bits of a height, 1 to 16; default: the kind's own");
-    app.add_option("--seed", options_.seed, "Another seed, another map of the kind")->capture_default_str();
+    add_seed_option(app, options_.seed, "Another seed, another map of the kind");
     app.add_flag("--force", options_.force, "Replace a file of that name");
   }
   ExitCode run(const Session& session) override {

@@ -4,6 +4,7 @@
 #include "models/common/words.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 #include "traces/ray_files.h"
 #include "traces/ray_sets.h"
@@ -24,10 +25,9 @@ class MakeCommand : public Command {
                joined(kind.classes) + ".";
     }
     app.add_option("kind", set_.kind, kinds)->required();
-    app.add_option("-o,--output", output_, "File to write: text if its name ends in .csv, else .rays")
-        ->required();
+    app.add_option("-o,--output", output_, "File to write: .rays, or .csv for text")->required();
     app.add_option("--count", set_.count, "Rays: 1 to 2^28")->capture_default_str();
-    app.add_option("--seed", set_.seed, "Another seed, other rays")->capture_default_str();
+    add_seed_option(app, set_.seed, "Another seed, other rays");
     app.add_option(
            "--tile-bits", set_.tile_bits,
            "traverse.tile_bits of the machine that shall take them: no ray starts beyond 2^tile-bits tiles")

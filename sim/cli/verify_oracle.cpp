@@ -11,6 +11,7 @@
 #include "models/oracle/precision_check.h"
 #include "models/oracle/traversal_check.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 
 namespace cuesta {
@@ -61,7 +62,7 @@ class VerifyOracleCommand : public Command {
                    "Rays over bilinear surfaces whose answer is held against exact arithmetic")
         ->check(CLI::Range(int64_t{0}, int64_t{1000000000}))
         ->capture_default_str();
-    app.add_option("--seed", seed_, "Seed of maps and rays")->capture_default_str();
+    add_seed_option(app, seed_, "Seed of maps and rays");
     app.add_option("--max-side", max_side_, "Longest side of a map, texels")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();

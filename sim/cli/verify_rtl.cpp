@@ -13,6 +13,7 @@
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
+#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 #include "sim/lockstep/case_files.h"
 #include "sim/lockstep/lockstep.h"
@@ -41,9 +42,7 @@ class VerifyRtlCommand : public Command {
     count_option_ = app.add_option("--ray-count", ray_count_,
                                    "Random machines: until so many rays, in the place of --seconds")
                         ->check(CLI::Range(int64_t{1}, int64_t{1000000000000}));
-    seed_option_ =
-        app.add_option("--seed", seed_, "Random machines: seed of the first; the next has the next")
-            ->capture_default_str();
+    seed_option_ = add_seed_option(app, seed_, "Random machines: seed of the first; the next has the next");
     sets_option_ =
         app.add_option("--sets", sets_,
                        "Random machines: only of these compiled sets, joined by commas; default: all")

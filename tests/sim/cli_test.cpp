@@ -76,6 +76,30 @@ TEST_F(CommandLine, WrongUsageEndsWithTwoAndTheNearestName) {
   if (std::filesystem::exists(path("results"))) EXPECT_TRUE(std::filesystem::is_empty(path("results")));
 }
 
+TEST_F(CommandLine, SeedsAreWholeNumbersOf64BitsInEveryVerb) {
+  const Words verbs[] = {{"adversary", "-o", "worst"},
+                         {"verify", "oracle"},
+                         {"verify", "rtl"},
+                         {"heightmap", "make", "rocks", "-o", "map.png"},
+                         {"rays", "make", "random", "-o", "rays.csv"}};
+  for (const Words& verb : verbs) {
+    for (const char* seed :
+         {"-1", "-18446744073709551615", "18446744073709551616", "1e3", "0x10", "7 ", "x"}) {
+      Words words = verb;
+      words.insert(words.end(), {"--seed", seed});
+      const std::string found =
+          "--seed " + std::string(seed) + " is not accepted; accepted is a whole number ";
+      expect_refusal(cuesta(words), 2, found + "from 0 to 18446744073709551615.", verb[0] + " " + seed);
+    }
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("map.png")));
+  // the largest is taken as it is
+  const ProgramResult last = cuesta(
+      {"heightmap", "make", "rocks", "-o", "map.png", "--size", "4", "--seed", "18446744073709551615"});
+  EXPECT_EQ(last.code, 0) << last.err;
+  EXPECT_NE(last.err.find("seed 18446744073709551615."), std::string::npos) << last.err;
+}
+
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
   const Words verbs[] = {{"run"},
                          {"compare"},
