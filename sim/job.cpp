@@ -53,9 +53,9 @@ void apply_changes(const SceneChanges& changes, Scene& scene) {
   if (changes.depth) scene.depth = *changes.depth;
   if (changes.surface) {
     scene.surface = *changes.surface;
-    const std::string fault = fault_of_surface(scene.surface, scene.address_mode);
-    if (!fault.empty()) throw usage_error("--surface " + fault);
+    scene.surface_place = "--surface ";
   }
+  check_surface_kind(scene);
   if (changes.size) {
     scene.width = changes.size->first;
     scene.height = changes.size->second;

@@ -123,8 +123,7 @@ void read_surface(const TomlTable& table, Scene& scene) {
   static constexpr Named<Surface> kSurfaces[] = {{"texel", Surface::kTexel},
                                                  {"bilinear", Surface::kBilinear}};
   scene.surface = table.choice("kind", kSurfaces, scene.surface);
-  const std::string fault = fault_of_surface(scene.surface, scene.address_mode);
-  if (!fault.empty()) throw table.error("kind", fault);
+  if (table.has("kind")) scene.surface_place = table.where("kind") + "`surface.kind` ";
   if (!table.has("tiles")) return;
   const std::vector<int64_t> tiles = table.integers("tiles", {1, kMostTiles}, 2);
   for (int axis = 0; axis < 2; ++axis) scene.tiles[axis] = static_cast<int>(tiles[static_cast<size_t>(axis)]);
@@ -208,10 +207,12 @@ Scene read_scene(const TomlDocument& document, const std::string& folder) {
 
 }  // namespace
 
-std::string fault_of_surface(Surface surface, AddressMode mode) {
-  if (surface != Surface::kBilinear || mode != AddressMode::kMirror) return {};
-  return "is bilinear, and `heightmap.address_mode` is mirror, for whose turned tiles there are no patches; "
-         "accepted with bilinear: address_mode = \"wrap\", \"border\" or \"clamp\".";
+void check_surface_kind(const Scene& scene) {
+  if (scene.surface != Surface::kBilinear || scene.address_mode != AddressMode::kMirror) return;
+  throw usage_error(
+      scene.surface_place +
+      "is bilinear, and `heightmap.address_mode` is mirror, for whose turned tiles there are no patches; "
+      "accepted with bilinear: address_mode = \"wrap\", \"border\" or \"clamp\".");
 }
 
 Scene load_scene(const std::string& path) {

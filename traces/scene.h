@@ -38,18 +38,21 @@ struct Scene {
   GeneratedHeights generated;
   AddressMode address_mode = AddressMode::kWrap;
   Surface surface = Surface::kTexel;
-  double depth = 0.1;     ///< thickness of the slab in widths of a tile
-  int tiles[2] = {1, 1};  ///< that the plane spans along u and v; 1, 1 in border mode
+  std::string surface_place;  ///< what says so, where a message begins: file, line and key, or the option
+  double depth = 0.1;         ///< thickness of the slab in widths of a tile
+  int tiles[2] = {1, 1};      ///< that the plane spans along u and v; 1, 1 in border mode
   CameraSettings camera;
   int width = 512, height = 512;  ///< pixels
   std::string rays_file;          ///< .rays or .csv in the place of camera and image; may be empty
   RaySet ray_set;                 ///< likewise; no kind: none. One of camera, file and set
 };
 
-/// What is wrong with a bilinear surface in this address mode, as the end of a sentence; empty: nothing.
-std::string fault_of_surface(Surface surface, AddressMode mode);
+/// Throws usage_error for a bilinear surface over a mirrored map. Not part of the reading, since a command line may
+/// still change the surface.
+void check_surface_kind(const Scene& scene);
 
-/// Reads a scene file. Throws usage_error with file, line, key, what was found and what is accepted.
+/// Reads a scene file; check_surface_kind is the caller's. Throws usage_error with file, line, key, what was found and
+/// what is accepted.
 Scene load_scene(const std::string& path);
 
 /// The same from a text; `origin` names it in messages, relative paths in it start at `folder`.

@@ -28,6 +28,7 @@ class TraceCommand : public Command {
     std::optional<Crop> crop;
     if (!crop_.empty()) crop = parse_crop(crop_);
     const Scene scene = find_scene(scene_);
+    check_surface_kind(scene);
     const HeightGrid grid = heights_of(scene).grid;
     const MapShape map = map_shape(grid.width, grid.height, grid.bits, scene.address_mode);
     const RayTrace trace = make_rays(scene, map, crop, watched(session, "making", most_rays(scene, crop)));

@@ -100,6 +100,27 @@ TEST_F(CommandLine, SeedsAreWholeNumbersOf64BitsInEveryVerb) {
   EXPECT_NE(last.err.find("seed 18446744073709551615."), std::string::npos) << last.err;
 }
 
+TEST_F(CommandLine, TheSurfaceIsJudgedAsItIsAfterTheCommandLine) {
+  const auto scene = [](const std::string& mode, const std::string& surface) {
+    return "[heightmap]\ngenerate = { kind = \"rocks\", width = 32, height = 32 }\naddress_mode = \"" + mode +
+           "\"\n[surface]\n" + surface + "[image]\nwidth = 8\nheight = 8\n";
+  };
+  write("contradiction.toml", scene("mirror", "kind = \"bilinear\"\n"));
+  write("mirror.toml", scene("mirror", ""));
+  const auto run = [&](const std::string& file, const Words& more) {
+    Words words = {"run", file,  "--fidelity", "functional", "--set", "traverse.arithmetic=float",
+                   "-o",  "out", "--force"};
+    words.insert(words.end(), more.begin(), more.end());
+    return cuesta(words);
+  };
+  expect_refusal(run("contradiction.toml", {}), 2, "contradiction.toml:5: `surface.kind` is bilinear",
+                 "file");
+  expect_refusal(cuesta({"trace", "contradiction.toml", "-o", "a.csv"}), 2, "contradiction.toml:5", "trace");
+  expect_refusal(run("mirror.toml", {"--surface", "bilinear"}), 2, "--surface is bilinear", "option");
+  const ProgramResult saved = run("contradiction.toml", {"--surface", "texel"});
+  EXPECT_EQ(saved.code, 0) << saved.err;
+}
+
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
   const Words verbs[] = {{"run"},
                          {"compare"},

@@ -90,7 +90,8 @@ TEST(Scene, OtherFormsArrive) {
 
 TEST(Scene, MistakesNameFileLineKeyAndWhatIsAccepted) {
   const auto expect = [](const std::string& text, const std::vector<std::string>& parts) {
-    const std::string sentence = sentence_of(ExitCode::kUsage, [&] { parse_scene(text, "a.toml", ""); });
+    const std::string sentence =
+        sentence_of(ExitCode::kUsage, [&] { check_surface_kind(parse_scene(text, "a.toml", "")); });
     for (const std::string& part : parts) EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
   };
   expect("", {"a.toml"});
