@@ -151,6 +151,104 @@ std::string accepted_endings(const SearchRow& row) {
   return text;
 }
 
+/// Reads one text; every fault names it.
+class SearchReader {
+ public:
+  explicit SearchReader(std::string_view text)
+      : text_(text), words_(split(text, ':')), row_(find_search(words_[0])) {
+    if (row_ == nullptr) throw usage_error("There is no search `" + printable(text) + "`.");
+    search_ = row_->search;
+  }
+
+  Search read() {
+    for (size_t k = 1; k < words_.size(); ++k) {
+      const std::string_view name = words_[k].substr(0, words_[k].find('='));
+      for (size_t earlier = 1; earlier < k; ++earlier) {
+        if (words_[earlier].substr(0, words_[earlier].find('=')) == name)
+          throw usage_error(found() + "`" + printable(name) + "` is given twice; accepted is once.");
+      }
+      if (!read_flag(words_[k], name) && !read_number(words_[k], name)) refuse(words_[k], name);
+    }
+    if (search_.least_steps > search_.steps) {
+      throw usage_error(found() + "least=" + std::to_string(search_.least_steps) + " is above steps=" +
+                        std::to_string(search_.steps) + "; accepted is at most as many.");
+    }
+    return search_;
+  }
+
+ private:
+  std::string found() const { return "Search `" + printable(text_) + "`: "; }
+
+  /// False: no flag has that name.
+  bool read_flag(std::string_view word, std::string_view name) {
+    const bool bilinear = name == kBilinear && !is_printed(search_.kind);
+    const std::vector<Flag> all = flags(*row_);
+    const auto flag = std::ranges::find(all, name, &Flag::name);
+    if (!bilinear && flag == all.end()) return false;
+    if (word != name) {
+      throw usage_error(found() + "`" + printable(word) + "` has a value, which `" + std::string(name) +
+                        "` does not take; accepted is `" + std::string(name) + "` alone.");
+    }
+    if (bilinear)
+      search_.filter = SearchFilter::kBilinear;
+    else
+      search_.*(flag->member) = true;
+    return true;
+  }
+
+  /// False: no number has that name.
+  bool read_number(std::string_view word, std::string_view name) {
+    const std::string_view digits = word.substr(std::min(word.size(), name.size() + 1));
+    if (is_printed(search_.kind) && name == kDelta) {
+      const std::optional<int> delta = thousandths(digits);
+      if (!delta || *delta > kMostDelta) {
+        refuse_value(word, name,
+                     "a number of texels from 0 to " + thousandths_text(kMostDelta) +
+                         " with a decimal point and three places at most, as in delta=0.5");
+      }
+      search_.delta = *delta;
+      return true;
+    }
+    const std::vector<Choice> all = choices(*row_);
+    const auto choice = std::ranges::find(all, name, &Choice::name);
+    if (choice == all.end()) return false;
+    int value = -1;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (fault != std::errc{} || end != digits.data() + digits.size() || value < choice->low ||
+        value > choice->high) {
+      refuse_value(word, name,
+                   "a whole number from " + std::to_string(choice->low) + " to " +
+                       std::to_string(choice->high) + ", as in " + std::string(name) + "=" +
+                       std::to_string(std::max(choice->low, row_->search.*choice->member)));
+    }
+    search_.*choice->member = value;
+    return true;
+  }
+
+  [[noreturn]] void refuse_value(std::string_view word, std::string_view name,
+                                 const std::string& accepted) const {
+    const std::string value =
+        word == name ? "` has no value" : "` is `" + printable(word.substr(name.size() + 1)) + "`";
+    throw usage_error(found() + "`" + std::string(name) + value + "; accepted is " + accepted + ".");
+  }
+
+  [[noreturn]] void refuse(std::string_view word, std::string_view name) const {
+    std::vector<std::string_view> names;
+    for (const Choice& choice : choices(*row_)) names.push_back(choice.name);
+    for (const Flag& flag : flags(*row_)) names.push_back(flag.name);
+    names.push_back(is_printed(search_.kind) ? kDelta : kBilinear);
+    const std::string near = did_you_mean(name, names);
+    throw usage_error(found() + "`" + printable(word) + "` is not an ending of " + std::string(row_->id) +
+                      "; accepted are " + accepted_endings(*row_) + (near.empty() ? "." : near));
+  }
+
+  static constexpr std::string_view kBilinear = "bilinear", kDelta = "delta";
+  std::string_view text_;
+  std::vector<std::string_view> words_;
+  const SearchRow* row_;
+  Search search_;
+};
+
 }  // namespace
 
 std::span<const SearchRow> search_rows() { return kRows; }
@@ -180,59 +278,6 @@ std::string name_of(const Search& search) {
   return name;
 }
 
-Search parse_search(std::string_view text) {
-  const std::vector<std::string_view> words = split(text, ':');
-  const SearchRow* row = find_search(words[0]);
-  if (row == nullptr) throw usage_error("There is no search `" + printable(text) + "`.");
-  const std::string found = "Search `" + printable(text) + "`: ";
-  Search search = row->search;
-  std::vector<std::string_view> given;
-  for (size_t k = 1; k < words.size(); ++k) {
-    const std::string_view word = words[k], name = word.substr(0, word.find('='));
-    for (const std::string_view earlier : given) {
-      if (earlier == name) {
-        throw usage_error(found + "`" + printable(name) + "` is given twice; accepted is once.");
-      }
-    }
-    given.push_back(name);
-    const std::vector<Flag> words_alone = flags(*row);
-    const auto flag = std::ranges::find(words_alone, word, &Flag::name);
-    if (flag != words_alone.end()) {
-      search.*(flag->member) = true;
-      continue;
-    }
-    const bool printed = is_printed(row->search.kind);
-    if (printed && name == "delta") {
-      const auto delta = thousandths(word.substr(std::min(word.size(), name.size() + 1)));
-      if (delta && *delta <= kMostDelta) {
-        search.delta = *delta;
-        continue;
-      }
-    }
-    if (word == "bilinear" && !printed) {
-      search.filter = SearchFilter::kBilinear;
-      continue;
-    }
-    const Choice* choice = nullptr;
-    const std::vector<Choice> all = choices(*row);
-    for (const Choice& one : all) {
-      if (one.name == name) choice = &one;
-    }
-    int value = -1;
-    const std::string_view digits = word.substr(std::min(word.size(), name.size() + 1));
-    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (choice == nullptr || fault != std::errc{} || end != digits.data() + digits.size() ||
-        value < choice->low || value > choice->high) {
-      throw usage_error(found + "`" + printable(word) + "` is not an ending of " + std::string(row->id) +
-                        "; accepted are " + accepted_endings(*row) + ".");
-    }
-    search.*choice->member = value;
-  }
-  if (search.least_steps > search.steps) {
-    throw usage_error(found + "least=" + std::to_string(search.least_steps) +
-                      " is above steps=" + std::to_string(search.steps) + "; accepted is at most as many.");
-  }
-  return search;
-}
+Search parse_search(std::string_view text) { return SearchReader(text).read(); }
 
 }  // namespace cuesta

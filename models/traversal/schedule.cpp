@@ -143,14 +143,13 @@ class ScheduleReader {
     if (const Algorithm* named = find_algorithm(words_[0])) {
       schedule = named->schedule;
     } else if (words_.size() == 1) {
-      std::vector<std::string_view> ids;
-      for (const Algorithm& row : rows()) ids.push_back(row.id);
-      for (const SearchRow& row : search_rows()) ids.push_back(row.id);
+      const std::vector<std::string_view> ids = named_and({});
       throw usage_error("There is no algorithm `" + printable(text_) + "`; accepted are " + joined(ids) +
                         ", or a schedule START:DOWN:UP such as span:2:selective-even" +
                         ending(words_[0], ids));
     } else {
-      schedule.start = static_cast<StartRule>(choice(words_[0], kStarts, "a start (or a named algorithm)"));
+      schedule.start = static_cast<StartRule>(
+          choice(words_[0], kStarts, "a start (or a named algorithm)", named_and(kStarts)));
       if (words_.size() < 3) {
         throw usage_error(found() + "it has no up rule; accepted is " + std::string(kScheduleSyntax) + ".");
       }
@@ -181,6 +180,15 @@ class ScheduleReader {
   static constexpr std::string_view kEndings[] = {"texel", "quad", "stop=N"};  // the first two: FetchRule
   static constexpr size_t kStopEnding = 2;
 
+  /// Every algorithm's name, and these.
+  static std::vector<std::string_view> named_and(std::span<const std::string_view> others) {
+    std::vector<std::string_view> ids;
+    for (const Algorithm& row : rows()) ids.push_back(row.id);
+    for (const SearchRow& row : search_rows()) ids.push_back(row.id);
+    ids.insert(ids.end(), others.begin(), others.end());
+    return ids;
+  }
+
   static std::string ending(std::string_view word, std::span<const std::string_view> names) {
     const std::string near = did_you_mean(word, names);
     return near.empty() ? "." : near;
@@ -188,11 +196,13 @@ class ScheduleReader {
 
   std::string found() const { return "Schedule `" + printable(text_) + "`: "; }
 
-  size_t choice(std::string_view word, std::span<const std::string_view> names, const char* what) const {
+  /// `near`: names that may be meant; empty: `names`.
+  size_t choice(std::string_view word, std::span<const std::string_view> names, const char* what,
+                std::span<const std::string_view> near = {}) const {
     const auto at = std::find(names.begin(), names.end(), word);
     if (at != names.end()) return static_cast<size_t>(at - names.begin());
     throw usage_error(found() + "`" + printable(word) + "` is not " + what + "; accepted are " +
-                      joined(names) + ending(word, names));
+                      joined(names) + ending(word, near.empty() ? names : near));
   }
 
   int stop_level(std::string_view digits) const {

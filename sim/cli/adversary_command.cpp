@@ -85,11 +85,7 @@ class AdversaryCommand : public Command {
     AdversaryBounds& bounds = options_.bounds;
     if (!std::isfinite(bounds.reach))
       throw usage_error("--reach is no number; accepted are 0.001 to 7 tiles.");
-    parse_map_size(size_, bounds.width, bounds.height);
-    if (std::max(bounds.width, bounds.height) > kLongestSide) {
-      throw usage_error("--size " + printable(size_) +
-                        " is too large to search; accepted are 1 to 64 texels on a side.");
-    }
+    parse_map_size(size_, bounds.width, bounds.height, kLongestSide);
     if (algorithm.schedule.stop_level > 0) {
       throw usage_error("--algorithm " + algorithm.id +
                         " stops above the texels; accepted are schedules that stop at level 0.");

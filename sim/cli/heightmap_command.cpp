@@ -116,14 +116,15 @@ class InfoCommand : public Command {
 
 }  // namespace
 
-void parse_map_size(const std::string& text, int& width, int& height) {
+void parse_map_size(const std::string& text, int& width, int& height, int longest) {
   size_t cross = text.find('x');
   std::string_view first = std::string_view(text).substr(0, cross);
   std::string_view second = cross == std::string::npos ? first : std::string_view(text).substr(cross + 1);
   bool known = parse_number(first, width) && parse_number(second, height);
-  if (!known || width < 1 || height < 1 || width > 16384 || height > 16384) {
-    throw usage_error("--size " + printable(text) +
-                      " is not a size; accepted are 256 or 640x480, 1 to 16384 texels on a side.");
+  if (!known || width < 1 || height < 1 || width > longest || height > longest) {
+    throw usage_error(fmt::format(
+        "--size {}: accepted is one number of texels or WIDTHxHEIGHT, each from 1 to {}, as in 16 or 24x16.",
+        printable(text), longest));
   }
 }
 

@@ -28,7 +28,7 @@ std::string heightmap_make(const HeightmapMakeOptions& options, const Watch& mak
 /// does.
 std::string heightmap_info(const HeightSource& source);
 
-/// "512x256" or "512" (square), texels. Throws usage_error.
-void parse_map_size(const std::string& text, int& width, int& height);
+/// "512x256" or "512" (square), texels, at most `longest` on a side. Throws usage_error.
+void parse_map_size(const std::string& text, int& width, int& height, int longest = 16384);
 
 }  // namespace cuesta

@@ -88,10 +88,11 @@ class ConvertCommand : public Command {
  public:
   void declare(CLI::App& app) override {
     app.add_option("from", from_, "File to read: text if its name ends in .csv, else .rays")->required();
-    app.add_option("to", to_, "File to write, likewise")->required();
+    app.add_option("to,-o,--output", to_, "File to write: .rays, or .csv for text")->required();
     app.add_flag("--force", force_, "Replace a file of that name");
   }
   ExitCode run(const Session& session) override {
+    check_ray_file_name(to_);
     refuse_existing(to_, force_);
     const RayTrace trace = read_ray_file(from_, watched(session, "reading", 0));
     write_ray_file(to_, trace, watched(session, "writing", trace.rays.size()));

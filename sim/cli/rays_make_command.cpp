@@ -47,6 +47,7 @@ class MakeCommand : public Command {
 
   ExitCode run(const Session& session) override {
     check_ray_set(set_);
+    check_ray_file_name(output_);
     refuse_existing(output_, force_);
     const RayTrace trace = make_ray_set(set_, map(), watched(session, "making", set_.count));
     write_ray_file(output_, trace, watched(session, "writing", set_.count));

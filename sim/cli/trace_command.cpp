@@ -17,13 +17,13 @@ class TraceCommand : public Command {
  public:
   void declare(CLI::App& app) override {
     app.add_option("scene", scene_, "Scene file, or the name of a built-in scene")->required();
-    app.add_option("-o,--output", output_, "File to write: text if its name ends in .csv, else .rays")
-        ->required();
+    app.add_option("-o,--output", output_, "File to write: .rays, or .csv for text")->required();
     app.add_option("--crop", crop_, "Only the pixels x,y,width,height; ids stay those of the whole frame");
     app.add_flag("--force", force_, "Replace a file of that name");
   }
 
   ExitCode run(const Session& session) override {
+    check_ray_file_name(output_);
     refuse_existing(output_, force_);
     std::optional<Crop> crop;
     if (!crop_.empty()) crop = parse_crop(crop_);

@@ -101,11 +101,13 @@ TEST_F(AdversaryCommand, WhatItCannotSearchIsRefused) {
   const struct {
     Words words;
     const char* part;
-  } cases[] = {{{"--maximise", "stepps"}, "did you mean `steps`?"},
-               {{"--address", "repeat"}, "border, wrap, mirror, clamp"},
-               {{"--size", "65"}, "1 to 64 texels"},
-               {{"--algorithm", "oh2006:stop=1"}, "stop at level 0"},
-               {{"--algorithm", "dda,oh2006"}, "one algorithm"}};
+  } cases[] = {
+      {{"--maximise", "stepps"}, "did you mean `steps`?"},
+      {{"--address", "repeat"}, "border, wrap, mirror, clamp"},
+      {{"--size", "65"}, "--size 65: accepted is one number of texels or WIDTHxHEIGHT, each from 1 to 64"},
+      {{"--size", "0x8"}, "each from 1 to 64"},
+      {{"--algorithm", "oh2006:stop=1"}, "stop at level 0"},
+      {{"--algorithm", "dda,oh2006"}, "one algorithm"}};
   for (const auto& [words, part] : cases) {
     Words all = {"adversary", "--tries", "2", "-o", "no"};
     all.insert(all.end(), words.begin(), words.end());

@@ -55,7 +55,7 @@ TEST_F(Searches, WhereTheyCannotGoTheyAreRefused) {
       {{"--algorithm", "relief", "--fidelity", "rtl"}, "relief is a search"},
       {{"--algorithm", "cone", "--host", "systemc"}, "accepted with it are exact algorithms"},
       {{"--algorithm", "steep", "--set", "traverse.up=always"}, "which has none"},
-      {{"--algorithm", "relief:steps=0"}, "`steps=0` is not an ending of relief"},
+      {{"--algorithm", "relief:steps=0"}, "`steps` is `0`; accepted is a whole number from 1 to 4096"},
       {{"--algorithm", "relif"}, "did you mean `relief`?"},
       {{"--algorithm", "RELIEF"}, "did you mean `relief`?"},
   };

@@ -82,13 +82,15 @@ TEST(Search, NamesLeaveOutWhatTheRowSays) {
 
 TEST(Search, AFaultNamesTheWordAndWhatIsAccepted) {
   const std::pair<std::string_view, std::string_view> cases[] = {
-      {"relief:steps=0",
-       "`steps=0` is not an ending of relief; accepted are steps=N (1 to 4096), refine=N (0 "
-       "to 64), bilinear."},
+      {"relief:step=9",
+       "`step=9` is not an ending of relief; accepted are steps=N (1 to 4096), refine=N (0 "
+       "to 64), bilinear; did you mean `steps`?"},
+      {"relief:steps=0", "`steps` is `0`; accepted is a whole number from 1 to 4096, as in steps=100."},
+      {"relief:refine=65", "`refine` is `65`; accepted is a whole number from 0 to 64, as in refine=7."},
       {"cone:refine=3", "accepted are steps=N (1 to 4096), bilinear."},
       {"parallax:steps=3", "accepted are bilinear."},
-      {"steep:steps", "`steps` is not an ending"},
-      {"steep:steps=4x", "`steps=4x` is not an ending"},
+      {"steep:steps", "`steps` has no value; accepted is a whole number from 1 to 4096"},
+      {"steep:steps=4x", "`steps` is `4x`; accepted is a whole number"},
       {"steep:steps=4:steps=5", "`steps` is given twice"},
       {"pom:steps=4", "least=8 is above steps=4"},
       {"steep:", "`` is not an ending"},
@@ -99,10 +101,19 @@ TEST(Search, AFaultNamesTheWordAndWhatIsAccepted) {
        "to "
        "64, three places at most), slope."},
       {"ki2007-printed:bilinear", "`bilinear` is not an ending"},
-      {"ki2007-printed:delta=0.0005", "`delta=0.0005` is not an ending"},
-      {"ki2007-printed:delta=-1", "`delta=-1` is not an ending"},
-      {"ki2007-printed:delta=1.", "`delta=1.` is not an ending"},
-      {"ki2007-printed:delta=65", "`delta=65` is not an ending"},
+      {"ki2007-printed:delta=0.0005",
+       "`delta` is `0.0005`; accepted is a number of texels from 0 to 64 with a decimal point and three "
+       "places "
+       "at most, as in delta=0.5."},
+      {"ki2007-printed:delta=0,5",
+       "`delta` is `0,5`; accepted is a number of texels from 0 to 64 with a decimal"},
+      {"ki2007-printed:delta=-1", "`delta` is `-1`"},
+      {"ki2007-printed:delta=1.", "`delta` is `1.`"},
+      {"ki2007-printed:delta=65", "`delta` is `65`"},
+      {"ki2007-printed:delta", "`delta` has no value"},
+      {"ki2007-printed:slope=1", "`slope=1` has a value, which `slope` does not take"},
+      {"cone:bilinear=1", "accepted is `bilinear` alone"},
+      {"ki2007-printed:slop", "did you mean `slope`?"},
       {"ki2007-printed:slope:slope", "`slope` is given twice"},
   };
   for (const auto& [text, part] : cases) {

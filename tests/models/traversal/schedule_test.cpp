@@ -62,6 +62,7 @@ TEST(Schedule, AFaultNamesTheWordWhatIsAcceptedAndTheNearest) {
       {"tevs208", "did you mean `tevs2008`?"},
       {"", "accepted are dda"},
       {"rot:1:never", "did you mean `root`?"},
+      {"releif:steps=4", "did you mean `relief`?"},
       {"root:4:never", "accepted are 1, 2, 3, common"},
       {"root:comon:never", "did you mean `common`?"},
       {"root:1:sometimes", "accepted are never, always"},

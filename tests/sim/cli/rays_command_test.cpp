@@ -57,6 +57,21 @@ TEST_F(RaysCommand, ConversionToTextAndBackGivesTheSameBytes) {
   EXPECT_EQ(bytes_of(path("a.rays")), bytes_of(path("b.rays")));
 }
 
+TEST_F(RaysCommand, TheFileToWriteIsNamedEitherWayAndItsEndingSaysHow) {
+  run(make_trace_command(), {path("a.toml"), "-o", path("a.rays")});
+  run(make_rays_convert_command(), {path("a.rays"), "-o", path("a.csv")});
+  EXPECT_EQ(bytes_of(path("a.csv")).substr(0, 13), "# cuesta rays");
+  for (const char* name : {"b.cvs", "b", "rays", "csv"}) {
+    const std::string refused = sentence_of(ExitCode::kUsage, [&] {
+      run(make_rays_convert_command(), {path("a.rays"), path(name)});
+    });
+    EXPECT_NE(refused.find("accepted are names that end in .rays (binary) or .csv (text)."),
+              std::string::npos);
+    sentence_of(ExitCode::kUsage, [&] { run(make_trace_command(), {path("a.toml"), "-o", path(name)}); });
+    EXPECT_FALSE(std::filesystem::exists(path(name)));
+  }
+}
+
 TEST_F(RaysCommand, NothingIsReplacedUnasked) {
   write_bytes(path("a.rays"), "mine");
   sentence_of(ExitCode::kUsage, [&] { run(make_trace_command(), {path("a.toml"), "-o", path("a.rays")}); });
