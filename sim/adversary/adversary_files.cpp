@@ -78,7 +78,8 @@ std::string readme_text(const AdversaryRecord& record, const AdversaryResult& re
          " tiles along u and v. The leaf walk takes " + rounded(record.leaf_walk) + " on it.\n" +
          (result.fault.empty() ? "" : "\n**An exact algorithm is not exact here:** " + result.fault + "\n") +
          "\nFound by\n\n    " + finding_command(record, result.best_try) +
-         " -o FOLDER\n\nand run from this folder by\n\n    " + reproducing_command(record, ".") + "\n";
+         " -o FOLDER\n\nand run from this folder by\n\n    " + reproducing_command(record, ".") + "\n\n" +
+         place_of_score(record) + "\n";
 }
 
 /// As a shell reads it.
@@ -103,6 +104,18 @@ std::string finding_command(const AdversaryRecord& record, uint64_t tries) {
          std::to_string(bounds.height) + " --bits " + std::to_string(bounds.bits) + " --rays " +
          std::to_string(bounds.rays) + " --reach " + shortest_text(bounds.reach) + " --seed " +
          std::to_string(record.options.seed) + " --tries " + std::to_string(tries);
+}
+
+std::string place_of_score(const AdversaryRecord& record) {
+  if (record.maximise == Maximise::kSteps)
+    return "The run's steps per ray are the score: machine.steps over machine.rays of its result.json.";
+  if (record.maximise == Maximise::kCycles)
+    return "The score is machine.cycles over machine.rays of the run's result.json.";
+  return (!parse_algorithm(record.algorithm).exact()
+              ? "The run does not print the score: its error.wrong counts rays, and its height_error holds "
+                "height LSBs of the rays that hit and truly hit."
+              : "The run does not print the score, since it judges no exact algorithm.") +
+         std::string(" It is `score` in case.toml, and the search that found it prints it again.");
 }
 
 std::string reproducing_command(const AdversaryRecord& record, const std::string& folder) {

@@ -22,6 +22,8 @@ struct AdversaryRecord {
 /// The command line that finds the case, and the one that runs it from `folder`.
 std::string finding_command(const AdversaryRecord& record, uint64_t tries);
 std::string reproducing_command(const AdversaryRecord& record, const std::string& folder);
+/// A sentence or two: where that run shows the score, or where else it stands.
+std::string place_of_score(const AdversaryRecord& record);
 
 /// map.png, rays.csv, scene.toml (all three: what `cuesta run` takes), case.toml and README.md. The same case gives the
 /// same bytes.

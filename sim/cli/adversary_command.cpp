@@ -114,9 +114,12 @@ class AdversaryCommand : public Command {
     record.leaf_walk = scorer.score_of(*find_algorithm("dda"), result.best.grid, result.best.traced());
     write_adversary_files(record, result, folder);
     folder.commit();
-    fmt::print("{}: {} {}, {:.6g} by the leaf walk; the best of {} cases was number {}\nReproduce: {}\n",
+    fmt::print("{}: {} {}, {:.6g} by the leaf walk; the best of {} cases was number {}\nReproduce: {}\n{}\n",
                algorithm.id, shortest_text(result.score), unit_of(maximise), record.leaf_walk, result.tries,
-               result.best_try, reproducing_command(record, folder.final_path().string()));
+               result.best_try, reproducing_command(record, folder.final_path().string()),
+               place_of_score(record));
+    if (maximise == Maximise::kError)
+      fmt::print("Search again: {} -o again\n", finding_command(record, result.best_try));
     if (!result.fault.empty()) {
       throw Error(ExitCode::kMismatch, "An exact algorithm is not exact in the case kept in " +
                                            folder.final_path().string() + ": " + result.fault +

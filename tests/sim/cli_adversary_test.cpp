@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "sim/adversary/adversary.h"
 #include "tests/sim/cli_fixture.h"
@@ -67,6 +68,34 @@ TEST_F(AdversaryCommand, TheScoreIsWhatTheOrdinaryRunCounts) {
         << score << read(std::string(maximise) + "/case.toml");
     EXPECT_NE(found.out.find("Reproduce: cuesta run " + path(maximise) + "/scene.toml"), std::string::npos)
         << found.out;
+    EXPECT_NE(found.out.find(std::string(counter) + " over machine.rays"), std::string::npos) << found.out;
+  }
+}
+
+TEST_F(AdversaryCommand, AnErrorIsNotSoughtInARunThatDoesNotPrintIt) {
+  for (const std::string algorithm : {"relief", "yun2013"}) {
+    const ProgramResult found =
+        cuesta({"adversary", "--algorithm", algorithm, "--maximise", "error", "--set",
+                "traverse.arithmetic=float", "--tries", "50", "--size", "8", "-o", algorithm, "-q"});
+    ASSERT_EQ(found.code, 0) << found.err;
+    EXPECT_NE(found.out.find("The run does not print the score"), std::string::npos) << found.out;
+    EXPECT_NE(found.out.find("It is `score` in case.toml"), std::string::npos) << found.out;
+    // the command that it names instead: the same case and score
+    const std::string head = "\nSearch again: cuesta ";
+    ASSERT_NE(found.out.find(head), std::string::npos) << found.out;
+    std::istringstream line(found.out.substr(found.out.find(head) + head.size()));
+    Words words;
+    for (std::string word; line >> word;) words.push_back(word);
+    const ProgramResult again = cuesta(words);
+    ASSERT_EQ(again.code, 0) << again.err;
+    const auto score = [&](const std::string& folder) {
+      const std::string text = read(folder + "/case.toml");
+      return text.substr(text.find("score = "),
+                         text.find('\n', text.find("score = ")) - text.find("score = "));
+    };
+    EXPECT_EQ(score("again"), score(algorithm));
+    EXPECT_EQ(again.out.substr(0, again.out.find(',')), found.out.substr(0, found.out.find(',')));
+    std::filesystem::remove_all(path("again"));
   }
 }
 
