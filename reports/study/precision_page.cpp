@@ -121,6 +121,14 @@ std::string narrowest(const StudyTable& table, const std::string& size, const st
   return best.empty() ? "none" : best;
 }
 
+/// How many of the sets that `narrowest` looks for are in the data.
+size_t sets_of_widths(const StudyTable& table) {
+  const std::vector<std::string>& formats = table.axis("format").values;
+  return static_cast<size_t>(std::ranges::count_if(formats, [](const std::string& format) {
+    return format.starts_with("f") && format.find("/M+") != std::string::npos && !format.ends_with("/half");
+  }));
+}
+
 std::string widths_section(const StudyTable& table) {
   std::vector<std::string> head{"map"};
   for (const double bound : kBounds) head.push_back(fmt::format("tops within {} LSB", bound));
@@ -135,13 +143,17 @@ std::string widths_section(const StudyTable& table) {
       }
     }
   }
-  return study_section("The smallest widths for an error",
-                       "Of the 125 sets of f = 4 to 12, M = B to B + 8 and D = 16 to 32 the one of fewest "
-                       "bits in all whose largest "
-                       "error over all angles and rays in the true cell is within the bound; none: not even "
-                       "the widest. T is what a "
-                       "time takes, with w2 = 4.",
-                       plain_table(head, rows));
+  const size_t sets = sets_of_widths(table);
+  const std::string of =
+      sets == 125 ? "Of the 125 sets of f = 4 to 12, M = B to B + 8 and D = 16 to 32 the one of fewest "
+                  : fmt::format("Of the {} sets of widths in these data the one of fewest ", sets);
+  return study_section(
+      "The smallest widths for an error",
+      of + "bits in all whose largest "
+           "error over all angles and rays in the true cell is within the bound; none: not even "
+           "the widest. T is what a "
+           "time takes, with w2 = 4.",
+      plain_table(head, rows));
 }
 
 /// A line per size: a counter's largest over all angles against one width.
@@ -182,18 +194,18 @@ std::string plots_section(const StudyTable& table) {
   const auto of_f = [](int width) { return fixed_name(width, 8, 32); };
   const auto of_d = [](int width) { return fixed_name(12, 8, width); };
   for (const std::string& bits : table.axis("bits").values) {
-    panels.emplace_back(bits + "-bit heights",
-                        "<div class=\"grid wide\">" +
-                            width_plot(table, bits, "top_max", "Heights against M", "tops; f = 12, D = 32",
-                                       "LSB", kMantissas, "B+", of_m) +
-                            width_plot(table, bits, "top_max", "Heights against D", "tops; f = 12, M = B + 8",
-                                       "LSB", kDirections, "D=", of_d) +
-                            width_plot(table, bits, "wall_max", "Places against M", "walls; f = 12, D = 32",
-                                       "texels", kMantissas, "B+", of_m) +
-                            width_plot(table, bits, "wall_max", "Places against f",
-                                       "walls; M = B + 8, D = 32", "texels", kFractions, "f=", of_f) +
-                            "</div>");
+    const std::string plots = width_plot(table, bits, "top_max", "Heights against M", "tops; f = 12, D = 32",
+                                         "LSB", kMantissas, "B+", of_m) +
+                              width_plot(table, bits, "top_max", "Heights against D",
+                                         "tops; f = 12, M = B + 8", "LSB", kDirections, "D=", of_d) +
+                              width_plot(table, bits, "wall_max", "Places against M", "walls; f = 12, D = 32",
+                                         "texels", kMantissas, "B+", of_m) +
+                              width_plot(table, bits, "wall_max", "Places against f",
+                                         "walls; M = B + 8, D = 32", "texels", kFractions, "f=", of_f);
+    if (!plots.empty())
+      panels.emplace_back(bits + "-bit heights", "<div class=\"grid wide\">" + plots + "</div>");
   }
+  if (panels.empty()) return "";  // the quick matrix has none of these sets
   return study_section(
       "Error against each width",
       "The largest over all angles, the other widths at their widest; logarithmic. M is what "
@@ -239,8 +251,9 @@ std::string of_mantissa(const StudyTable& table, int mantissa) {
       most = std::max(most, *value);
     }
     if (most == 0) continue;
-    text += fmt::format("{}{} bits: {} to {} LSB by size", text.empty() ? "" : "; ", bits,
-                        significant(least, 2), significant(most, 2));
+    text += fmt::format("{}{} bits: ", text.empty() ? "" : "; ", bits);
+    text += least < most ? fmt::format("{} to {} LSB by size", significant(least, 2), significant(most, 2))
+                         : significant(most, 2) + " LSB";
   }
   return text.empty() ? "not in these data" : text;
 }
@@ -256,9 +269,13 @@ std::string other_cells(const StudyTable& table) {
 
 std::string times(const StudyTable& table) {
   const std::vector<std::string>&sizes = table.axis("size").values, &bits = table.axis("bits").values;
-  return fmt::format("{} texels, {} bits: {}; {} texels, {} bits: {}", sizes.front(), bits.front(),
-                     narrowest(table, sizes.front(), bits.front(), "top_max", 0.1), sizes.back(), bits.back(),
-                     narrowest(table, sizes.back(), bits.back(), "top_max", 0.1));
+  const auto one = [&](const std::string& size, const std::string& height) {
+    return fmt::format("{} texels, {} bits: {}", size, height,
+                       narrowest(table, size, height, "top_max", 0.1));
+  };
+  const std::string least = one(sizes.front(), bits.front());
+  if (sizes.size() == 1 && bits.size() == 1) return least;
+  return least + "; " + one(sizes.back(), bits.back());
 }
 
 std::string statements_section(const StudyTable& table) {
@@ -296,6 +313,19 @@ std::string precision_headline(const StudyData& data) {
   const auto walls = [&](const std::string& size) {
     return number_text(largest(table, at(size, bits.front(), kDefault), "wall_max"));
   };
+  const std::string half =
+      number_text(largest(table, {{"format", "double/half"}, {"bits", bits.back()}}, "top_max"));
+  const std::string single = number_text(largest(table, {{"format", "float"}}, "top_max"));
+  if (sizes.size() == 1) {
+    return fmt::format(
+        "On a map of {} texels a side a reciprocal of M = B + 4 bits puts a hit within {} height LSB on a "
+        "texel's "
+        "top (99 % of a case, worst case), and at {} bits within {} texels on a wall. Half-precision heights "
+        "of {} "
+        "bits cost {}; float costs {} LSB at most.",
+        sizes.front(), significant(*top, 2), bits.front(), walls(sizes.front()), bits.back(),
+        half == "0" ? "nothing" : "up to " + half + " LSB", single);
+  }
   return fmt::format(
       "The height of a hit needs a reciprocal of M = B + 4 bits whatever the map's size: within {} height "
       "LSB on a "
@@ -305,9 +335,7 @@ std::string precision_headline(const StudyData& data) {
       "up to {} LSB "
       "at {} bits and nothing to 11 bits; float costs {} LSB at most.",
       significant(*top, 2), bits.front(), walls(sizes.front()), sizes.front(), walls(sizes.back()),
-      sizes.back(),
-      number_text(largest(table, {{"format", "double/half"}, {"bits", bits.back()}}, "top_max")), bits.back(),
-      number_text(largest(table, {{"format", "float"}}, "top_max")));
+      sizes.back(), half, bits.back(), single);
 }
 
 std::string precision_page(const StudyData& data) {

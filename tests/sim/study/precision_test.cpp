@@ -10,6 +10,8 @@
 #include "models/heightmap/generator.h"
 #include "models/heightmap/pyramid.h"
 #include "reports/study/study_data.h"
+#include "reports/study/study_pages.h"
+#include "sim/study/study_runner.h"
 #include "sim/study/view_bench.h"
 
 namespace cuesta {
@@ -48,6 +50,39 @@ TEST(ExactSkippingWalk, FindsWhatTheLeafWalkFinds) {
     }
     EXPECT_GT(hits, 100) << kind;
   }
+}
+
+TEST(PrecisionPage, OfASingleSizeComparesItWithNoOtherAndHasNoEmptySection) {
+  const auto data_of = [](bool quick, size_t most_sizes) {
+    StudyData data = precision_plan(quick);
+    data.axes[0].values.resize(std::min(most_sizes, data.axes[0].values.size()));
+    const Study& study = find_study("precision");
+    for (const StudyPlace& place : planned_places(study, data))
+      data.cases.push_back({place, std::vector<int64_t>(data.counters.size(), 6554 * (1 + place[0]))});
+    data.planned = data.cases.size();
+    return data;
+  };
+  const auto times_in = [](const std::string& text, const std::string& part) {
+    size_t count = 0;
+    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+  };
+  for (const bool quick : {true, false}) {
+    const StudyData data = data_of(quick, 1);
+    const std::string headline = precision_headline(data), page = precision_page(data);
+    EXPECT_EQ(times_in(headline, "256"), 1u) << headline;
+    EXPECT_EQ(headline.find("whatever the map's size"), std::string::npos) << headline;
+    EXPECT_EQ(page.find("LSB by size"), std::string::npos);
+    EXPECT_EQ(page.find("<div class=\"grid wide\"></div>"), std::string::npos);
+    EXPECT_EQ(times_in(page, "Error against each width"), quick ? 0u : 1u);
+    EXPECT_EQ(times_in(page, "Of the 4 sets of widths"), quick ? 1u : 0u);
+    EXPECT_EQ(times_in(page, "Of the 125 sets"), quick ? 0u : 1u);
+  }
+  const StudyData two = data_of(false, 2);
+  EXPECT_NE(precision_headline(two).find("0.10 texels at 256 texels a side and within 0.20 at 1024"),
+            std::string::npos)
+      << precision_headline(two);
+  EXPECT_NE(precision_page(two).find("0.10 to 0.20 LSB by size"), std::string::npos);
 }
 
 TEST(HalfPrecision, IsTheNearestNumberOfElevenSignificantBits) {
