@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "models/common/words.h"
 #include "reports/html/html_text.h"
 #include "reports/html/svg_bar_plot.h"
 #include "reports/numbers.h"
@@ -262,19 +263,29 @@ std::string iterations_headline(const StudyData& data) {
   const Spread grazing = spread_against(table, "yun2013", "oh2006", "steps", {}, kGrazing);
   if (front.views == 0 || grazing.views == 0) return "The study was ended before it could say anything.";
   const Wins all = wins(table, "steps", {}, kAnyAngle);
-  const double views = static_cast<double>(all.views);
+  std::string winners;
+  for (const auto& [algorithm, views] : all.alone) {
+    const double share = 100 * static_cast<double>(views) / static_cast<double>(all.views);
+    if (share < 0.5) continue;
+    winners += winners.empty() ? fmt::format("{} alone in {:.0f} % of the views", algorithm, share)
+                               : fmt::format(", {} in {:.0f} %", algorithm, share);
+  }
+  std::vector<std::string_view> sharing;
+  for (const auto& [algorithm, views] : all.alone) {
+    if (all.of(algorithm) > views) sharing.push_back(algorithm);
+  }
+  if (all.shared > 0) {
+    winners += fmt::format("{}several of {} alike in {:.0f} %", winners.empty() ? "" : "; ", joined(sharing),
+                           100 * static_cast<double>(all.shared) / static_cast<double>(all.views));
+  }
   return fmt::format(
       "yun2013 takes {:.0f} % fewer steps than oh2006 in front views (to 30°) and {:.0f} % fewer at grazing "
       "angles "
-      "(from 75°), medians over {} and {} views, and up to {:.0f} % fewer on {}; it needs the fewest of all "
-      "published "
-      "schedules in {:.0f} % of the views, tevs2008-both-even in {:.0f} %, the plain walk dda in {:.0f} %.",
+      "(from 75°), medians over {} and {} views, and up to {:.0f} % fewer on {}. The fewest steps of all "
+      "published schedules: {}.",
       100 * (1 - front.median), 100 * (1 - grazing.median), front.views, grazing.views,
       100 * (1 - std::min(front.least, grazing.least)),
-      view_name(table, front.least < grazing.least ? front.least_at : grazing.least_at),
-      100 * static_cast<double>(all.of("yun2013")) / views,
-      100 * static_cast<double>(all.of("tevs2008-both-even")) / views,
-      100 * static_cast<double>(all.of("dda")) / views);
+      view_name(table, front.least < grazing.least ? front.least_at : grazing.least_at), winners);
 }
 
 std::string iterations_page(const StudyData& data) {

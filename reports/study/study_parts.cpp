@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "reports/html/assets.h"
@@ -122,6 +123,7 @@ Wins wins(const StudyTable& table, std::string_view counter, const Where& where,
   Wins found;
   const std::vector<std::string> names = published(table);
   for (const std::string& name : names) found.least.emplace_back(name, 0);
+  found.alone = found.least;
   Where views = where;
   views.emplace_back("algorithm", "oh2006");
   for (const StudyPlace& view : places_where(table, views)) {
@@ -133,8 +135,14 @@ Wins wins(const StudyTable& table, std::string_view counter, const Where& where,
       values.push_back(table.value(*moved(table, view, "algorithm", name), counter));
       if (values.back() && (!least || *values.back() < *least)) least = values.back();
     }
-    for (size_t k = 0; k < names.size(); ++k) found.least[k].second += values[k] == least;
+    const auto winners = std::ranges::count(values, least);
+    found.shared += winners > 1;
+    for (size_t k = 0; k < names.size(); ++k) {
+      found.least[k].second += values[k] == least;
+      found.alone[k].second += values[k] == least && winners == 1;
+    }
   }
+  std::ranges::stable_sort(found.alone, std::greater(), &std::pair<std::string, size_t>::second);
   return found;
 }
 

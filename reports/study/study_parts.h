@@ -61,7 +61,9 @@ std::string spread_text(const Spread& spread);
 struct Wins {
   size_t views = 0;
   std::vector<std::pair<std::string, size_t>> least;  ///< by algorithm; several may share a view
-  size_t of(std::string_view algorithm) const;
+  std::vector<std::pair<std::string, size_t>> alone;  ///< likewise, of the views that none shares; most first
+  size_t shared = 0;                                  ///< views that several share
+  size_t of(std::string_view algorithm) const;        ///< in `least`
 };
 Wins wins(const StudyTable& table, std::string_view counter, const Where& where, Angles angles);
 

@@ -20,11 +20,28 @@ TEST(StudyPage, StartsWithTheSentenceAndItsNumbersComeFromTheData) {
       << headline;
   EXPECT_NE(headline.find("up to 60 % fewer on spikes 256, depth 0.05, 10°"), std::string::npos) << headline;
   // Fewest: dda in both front views, yun2013 in both grazing ones.
-  EXPECT_NE(headline.find("in 50 % of the views, tevs2008-both-even in 0 %, the plain walk dda in 50 %"),
+  EXPECT_NE(headline.find("published schedules: dda alone in 50 % of the views, yun2013 in 50 %."),
             std::string::npos)
       << headline;
   const std::string page = iterations_page(data);
   EXPECT_LT(page.find("yun2013 takes 60"), page.find("<h1>"));
+}
+
+TEST(StudyPage, AViewThatSeveralShareIsNobodysAlone) {
+  StudyData data = tests::example_iterations();
+  // The first front view: dda 300, oh2006 300, yun2013 450.
+  data.cases[1].values[1] = 300;
+  const std::string headline = iterations_headline(data);
+  EXPECT_NE(headline.find("published schedules: yun2013 alone in 50 % of the views, dda in 25 %; several of "
+                          "dda, oh2006 alike "
+                          "in 25 %."),
+            std::string::npos)
+      << headline;
+  const Wins found = wins(StudyTable(data), "steps", {}, kAnyAngle);
+  size_t all = found.shared;
+  for (const auto& [algorithm, views] : found.alone) all += views;
+  EXPECT_EQ(all, found.views);
+  EXPECT_EQ(found.of("dda"), 2u) << "its own view and the shared one";
 }
 
 TEST(StudyPage, AsksTheNetworkForNothingAndEscapesItsData) {
