@@ -20,7 +20,8 @@ struct Judgement {
   VerdictCounts counts;
   int64_t not_numbers = 0, unfinished = 0;  ///< rays without an answer
 
-  bool wrong(size_t ray) const { return verdicts[ray] && is_wrong(*verdicts[ray]); }
+  /// A wrong answer or none.
+  bool wrong(size_t ray) const { return !verdicts[ray] || is_wrong(*verdicts[ray]); }
   /// Of the rays that hit and truly hit: how far along the ray the found place lies from the true one, as the
   /// difference in height (height LSBs) and on the plane (texels).
   std::vector<double> height_errors, texel_errors;

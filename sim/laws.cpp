@@ -64,7 +64,7 @@ void check_planes(Laws& laws, const Measurements& measurements, int pipelines) {
     }
   };
   total("plane.steps", laws.get("machine.steps"));
-  total("plane.wrong", laws.get("error.wrong"));
+  total("plane.wrong", laws.get("error.wrong") + laws.get("error.nan") + laws.get("error.unfinished"));
   total("plane.issue_slots", pipelines * laws.get("machine.cycles"));
   total("plane.l1_misses", measurements.counters.sum("height_l1", "misses"));
   total("plane.dram_read_bytes", laws.get("dram.read_bytes"));

@@ -94,7 +94,9 @@ constexpr StatisticDefinition kDefinitions[] = {
      "Cycles from dispatch to completion, summed over the pixel's rays; does not add up "
      "to the machine's cycles, as rays overlap."},
     {"plane.steps", "steps", "Node visits of the pixel's rays."},
-    {"plane.wrong", "rays", "The pixel's rays that missed, are behind, or hit a wrong cell: error.wrong."},
+    {"plane.wrong", "rays",
+     "How many of the pixel's rays missed, are behind, hit a wrong cell, or have no answer: error.wrong, "
+     "error.nan and error.unfinished together; 0 where all are right."},
     {"preprocessing.bytes", "bytes",
      "Bytes of the map that a search reads: one record per texel; of one as printed, the pyramid's image."},
     {"preprocessing.records", "records", "Records that the making of a search's map wrote."},

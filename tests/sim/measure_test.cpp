@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
 #include <set>
 #include <string>
 
@@ -73,6 +75,10 @@ TEST(Measurer, SearchesAsPrintedCountRaysWithoutAnAnswerApartInEveryFidelity) {
       EXPECT_EQ(a.get("machine.rays"), a.get("error.exact") + a.get("error.tie") + a.get("error.wrong") +
                                            a.get("error.nan") + a.get("error.unfinished"));
       EXPECT_EQ(a.get("preprocessing.records"), 0);
+      const auto wrong = std::ranges::find(run.measurements.planes, "plane.wrong", &Plane::name);
+      ASSERT_NE(wrong, run.measurements.planes.end());
+      EXPECT_EQ(std::accumulate(wrong->values.begin(), wrong->values.end(), int64_t{0}),
+                a.get("error.wrong") + a.get("error.nan") + a.get("error.unfinished"));
     }
     lost +=
         plain.measurements.counters.get("error.nan") + plain.measurements.counters.get("error.unfinished");
