@@ -1,7 +1,6 @@
 #include "traces/scene_heights.h"
 
 #include <algorithm>
-#include <bit>
 #include <vector>
 
 #include "models/heightmap/generator.h"
@@ -33,11 +32,6 @@ LoadedHeights heights_of(const Scene& scene, const SizeCheck& before) {
   statement.distinct_levels = static_cast<int>(std::count(seen.begin(), seen.end(), true));
   statement.normalisation = "none: made as integers";
   return loaded;
-}
-
-MapShape map_shape(int width, int height, int bits, AddressMode mode) {
-  const auto longest = static_cast<uint32_t>(std::max(width, height));
-  return {width, height, static_cast<int>(std::bit_width(longest - 1)), bits, mode};
 }
 
 }  // namespace cuesta

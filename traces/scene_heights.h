@@ -9,7 +9,4 @@ namespace cuesta {
 /// before its memory is taken. Throws as load_heights and generate, and what `before` throws.
 LoadedHeights heights_of(const Scene& scene, const SizeCheck& before = {});
 
-/// A map of this size as traversal sees it.
-MapShape map_shape(int width, int height, int bits, AddressMode mode);
-
 }  // namespace cuesta

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdio>
 
+#include "models/traversal/map_shape.h"
+
 namespace cuesta {
 namespace {
 
@@ -193,11 +195,8 @@ RandomMap random_map(uint64_t seed, int max_side) {
   const auto kind = static_cast<MapKind>(random.below(static_cast<uint64_t>(MapKind::kCount)));
   map.kind = kMapKinds[static_cast<size_t>(kind)];
   fill(random, kind, map.grid);
-  map.shape.width = map.grid.width;
-  map.shape.height = map.grid.height;
-  while ((1 << map.shape.root_level) < std::max(map.grid.width, map.grid.height)) ++map.shape.root_level;
-  map.shape.bits = map.grid.bits;
-  map.shape.address_mode = static_cast<AddressMode>(random.below(4));
+  const auto mode = static_cast<AddressMode>(random.below(4));
+  map.shape = map_shape(map.grid.width, map.grid.height, map.grid.bits, mode);
   map.format = random_format(random, map.grid.bits);
   return map;
 }

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "models/traversal/map_shape.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/verbs.h"

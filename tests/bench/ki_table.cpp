@@ -6,7 +6,7 @@
 
 #include "models/common/error.h"
 #include "models/heightmap/generator.h"
-#include "models/traversal/machine_ray.h"
+#include "models/traversal/map_shape.h"
 #include "sim/config/architecture_file.h"
 #include "sim/machine.h"
 #include "traces/heightmaps/height_source_text.h"

@@ -10,16 +10,11 @@
 #include "models/oracle/checked_walks.h"
 #include "models/oracle/random_cases.h"
 #include "models/search/search_map.h"
+#include "models/traversal/map_shape.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {
 namespace {
-
-int root_level_of(int width, int height) {
-  int level = 0;
-  while ((1 << level) < std::max(width, height)) ++level;
-  return level;
-}
 
 int64_t limit_of_steps(const Instance& instance) {
   RandomMap sizes;
@@ -37,9 +32,7 @@ Instance with_map(const Instance& from, int width, int height, Of&& of) {
   for (int j = 0; j < height; ++j) {
     for (int i = 0; i < width; ++i) made.grid.at(i, j) = of(i, j);
   }
-  made.shape.width = width;
-  made.shape.height = height;
-  made.shape.root_level = root_level_of(width, height);
+  made.shape = map_shape(width, height, from.shape.bits, from.shape.address_mode, from.shape.surface);
   return made;
 }
 

@@ -1,17 +1,13 @@
 #pragma once
 
-#include <algorithm>
-
 #include "models/heightmap/height_grid.h"
-#include "models/traversal/machine_ray.h"
+#include "models/traversal/map_shape.h"
 
 namespace cuesta {
 
 /// Of a grid: its shape, without a pyramid.
 inline MapShape shape_of(const HeightGrid& grid, AddressMode mode, Surface surface = Surface::kTexel) {
-  MapShape shape{grid.width, grid.height, 0, grid.bits, mode, surface};
-  while ((1 << shape.root_level) < std::max(grid.width, grid.height)) ++shape.root_level;
-  return shape;
+  return map_shape(grid.width, grid.height, grid.bits, mode, surface);
 }
 
 /// A ray written by hand, for formats of 8 fraction bits: origin in texels and height LSBs, direction and t_max as they

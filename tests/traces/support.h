@@ -11,6 +11,7 @@
 
 #include "models/common/error.h"
 #include "models/common/random.h"
+#include "models/traversal/map_shape.h"
 #include "traces/front_end.h"
 #include "traces/ray_trace.h"
 
@@ -42,9 +43,7 @@ class ScratchFolder {
 
 /// A map of 8 bits.
 inline MapShape shape_of(int width, int height, AddressMode mode = AddressMode::kWrap) {
-  int level = 0;
-  while (1 << level < std::max(width, height)) ++level;
-  return {width, height, level, 8, mode};
+  return map_shape(width, height, 8, mode);
 }
 
 inline RayTrace make_rays(const Scene& scene, int width, int height, const std::optional<Crop>& crop = {}) {

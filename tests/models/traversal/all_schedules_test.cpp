@@ -8,6 +8,7 @@
 #include "models/common/error.h"
 #include "models/oracle/precision_check.h"
 #include "models/oracle/traversal_check.h"
+#include "models/traversal/map_shape.h"
 
 // Every schedule returns the leaf walk's hit bit for bit, and the leaf walk in fixed point is exact. The suite is
 // a sample; `cuesta verify oracle --rays N`, or CUESTA_ORACLE_RAYS=N here, runs as many as wanted.
@@ -65,8 +66,7 @@ RandomMap tall_and_rare(int width, int height, int bits, AddressMode mode) {
     const uint64_t height_bits = random.below(static_cast<uint64_t>(bits) * 4);
     map.grid.texels[k] = static_cast<uint16_t>(random.below(map.grid.full_scale() + 1) >> height_bits / 2);
   }
-  map.shape = {width, height, 0, bits, mode};
-  while ((1 << map.shape.root_level) < std::max(width, height)) ++map.shape.root_level;
+  map.shape = map_shape(width, height, bits, mode);
   map.format.mantissa_bits = bits + 4;
   return map;
 }

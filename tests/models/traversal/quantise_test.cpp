@@ -8,6 +8,7 @@
 #include "models/common/error.h"
 #include "models/oracle/random_cases.h"
 #include "models/traversal/machine_ray.h"
+#include "models/traversal/map_shape.h"
 
 namespace cuesta {
 namespace {
@@ -29,6 +30,17 @@ TracedRay ray_of(double u, double v, double z, double du, double dv, double dz) 
   ray.direction[1] = dv;
   ray.direction[2] = dz;
   return ray;
+}
+
+TEST(MapShape, TheRootIsTheLeastLevelWhoseOneNodeHoldsTheMap) {
+  const struct {
+    int width, height, level;
+  } cases[] = {{1, 1, 0}, {2, 1, 1},     {1, 3, 2},   {4, 4, 2},
+               {5, 3, 3}, {256, 255, 8}, {257, 2, 9}, {16384, 1, 14}};
+  for (const auto& [width, height, level] : cases) {
+    EXPECT_EQ(root_level_of(width, height), level) << width << " x " << height;
+    EXPECT_EQ(map_shape(width, height, 8, AddressMode::kClamp).root_level, level);
+  }
 }
 
 TEST(Quantise, ScalesToTexelsAndHeightsWithAllBitsOfTheLargestComponent) {
