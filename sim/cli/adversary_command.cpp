@@ -1,6 +1,5 @@
 #include <fmt/core.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,9 +9,9 @@
 #include "sim/adversary/adversary.h"
 #include "sim/adversary/adversary_files.h"
 #include "sim/cli/heightmap_command.h"
+#include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/run_options.h"
-#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 
 namespace cuesta {
@@ -35,39 +34,36 @@ E choice(const char* option, const std::string& text, std::span<const std::strin
 /// Searches for the map and the rays that are worst for an algorithm, and writes them as a scene.
 class AdversaryCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("--algorithm", algorithm_, "One out of `cuesta list algorithms`, or a schedule")
-        ->capture_default_str();
-    app.add_option("--maximise", maximise_,
-                   "steps or cycles per ray, or error: how far the found place lies from the exact one")
-        ->capture_default_str();
-    app.add_option("--arch", architecture_, "Preset or architecture file")->capture_default_str();
-    app.add_option("--set", settings_,
-                   "One value of the architecture: traverse.arithmetic=float; may be repeated")
-        ->allow_extra_args(false);
-    app.add_option("--address", address_, "border, wrap, mirror or clamp")->capture_default_str();
-    app.add_option("--size", size_, "Texels: 16 or 24x16, 1 to 64 on a side")->capture_default_str();
-    app.add_option("--bits", options_.bounds.bits, "Bits of a height, 1 to 16")
-        ->check(CLI::Range(1, 16))
-        ->capture_default_str();
-    app.add_option("--rays", options_.bounds.rays, "Rays of a case")
-        ->check(CLI::Range(1, 4096))
-        ->capture_default_str();
-    app.add_option("--reach", options_.bounds.reach,
-                   "Tiles that a ray moves at most, along u and along v, from the slab's top to its floor")
-        ->check(CLI::Range(0.001, 7.0))
-        ->capture_default_str();
-    add_seed_option(app, options_.seed, "Another seed, another search");
-    auto* tries = app.add_option("--tries", tries_, "Cases to score; the same number finds the same case")
-                      ->check(CLI::Range(uint64_t{1}, uint64_t{1000000000}));
-    app.add_option("--seconds", seconds_,
-                   "Ends after so many seconds in the place of so many tries; default: 60")
-        ->check(CLI::Range(1, 1000000))
-        ->excludes(tries);
-    app.add_option("-o,--output", folder_,
-                   "Folder to write: scene.toml, map.png, rays.csv, case.toml, README.md")
-        ->required();
-    app.add_flag("--force,--overwrite", force_, "Replace an older folder of that kind");
+  void declare(Options& options) override {
+    options.add("--algorithm", algorithm_, "One out of `cuesta list algorithms`, or a schedule")
+        .with_default();
+    options
+        .add("--maximise", maximise_,
+             "steps or cycles per ray, or error: how far the found place lies from the exact one")
+        .with_default();
+    options.add("--arch", architecture_, "Preset or architecture file").with_default();
+    options.add("--set", settings_,
+                "One value of the architecture: traverse.arithmetic=float; may be repeated");
+    options.add("--address", address_, "border, wrap, mirror or clamp").with_default();
+    options.add("--size", size_, "Texels: 16 or 24x16, 1 to 64 on a side").with_default();
+    options.add("--bits", options_.bounds.bits, "Bits of a height, 1 to 16").range(1, 16).with_default();
+    options.add("--rays", options_.bounds.rays, "Rays of a case").range(1, 4096).with_default();
+    options
+        .add("--reach", options_.bounds.reach,
+             "Tiles that a ray moves at most, along u and along v, from the slab's top to its floor")
+        .range(0.001, 7.0)
+        .with_default();
+    options.add_seed(options_.seed, "Another seed, another search");
+    const Option tries = options.add("--tries", tries_, "Cases to score; the same number finds the same case")
+                             .range(uint64_t{1}, uint64_t{1000000000});
+    options
+        .add("--seconds", seconds_, "Ends after so many seconds in the place of so many tries; default: 60")
+        .range(1, 1000000)
+        .excludes(tries);
+    options
+        .add("-o,--output", folder_, "Folder to write: scene.toml, map.png, rays.csv, case.toml, README.md")
+        .required();
+    options.add_flag("--force,--overwrite", force_, "Replace an older folder of that kind");
   }
 
   ExitCode run(const Session& session) override {

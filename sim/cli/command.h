@@ -6,11 +6,9 @@
 
 #include "models/common/error.h"
 
-namespace CLI {
-class App;
-}
-
 namespace cuesta {
+
+class Options;
 
 /// What every verb gets from the command line around it.
 struct Session {
@@ -22,8 +20,8 @@ struct Session {
 class Command {
  public:
   virtual ~Command() = default;
-  /// Adds arguments and options to the verb's CLI11 app; name, sentence, example, --help and -q are already there.
-  virtual void declare(CLI::App& app) = 0;
+  /// Adds the verb's arguments and options; name, sentence, example, --help and -q are already there.
+  virtual void declare(Options& options) = 0;
   /// Does the work. Output that was asked for goes to stdout, remarks and progress to stderr. Throws
   /// cuesta::Error for bad input; the caller prints its sentence and ends the program with its code.
   virtual ExitCode run(const Session& session) = 0;

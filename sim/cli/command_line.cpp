@@ -8,6 +8,7 @@
 
 #include "models/common/build_info.h"
 #include "models/common/words.h"
+#include "sim/cli/options.h"
 #include "sim/cli/standard_output.h"
 #include "sim/cli/verbs.h"
 
@@ -89,7 +90,7 @@ int run_command_line(int count, const char* const* arguments) {
   program.require_subcommand(1);
   program.set_version_flag("--version",
                            "cuesta " + std::string(build.version) + " (" + std::string(build.commit) + ")");
-  program.footer(std::string("`cuesta VERB --help` says more, with an example.\n") + kExitCodes);
+  program.footer(std::string("`cuesta options --help` says more, with an example.\n") + kExitCodes);
 
   Session session;
   program.add_flag("-q,--quiet", session.quiet, "No progress and no remarks; also after the verb");
@@ -103,7 +104,8 @@ int run_command_line(int count, const char* const* arguments) {
     app->allow_extras();
     app->add_flag("-q,--quiet", session.quiet, "No progress and no remarks");
     leaves.push_back({app, verb.make()});
-    leaves.back().command->declare(*app);
+    Options options(*app);
+    leaves.back().command->declare(options);
   }
 
   check_verb(program, count, arguments);

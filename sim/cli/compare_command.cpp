@@ -1,9 +1,9 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <optional>
 
 #include "sim/cli/cycle_host.h"
+#include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
@@ -15,18 +15,15 @@ namespace {
 
 class CompareCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("scenes", scenes_,
-                   "Scene files, or names of built-in scenes; `default` with --heightmap alone");
-    app.add_option(
-           "--algorithm", algorithms_,
-           "Several, joined by commas: names out of `cuesta list algorithms`, schedules such as "
-           "root:common:never:quad, all (default: every exact one), parts, searches, printed, all+searches")
-        ->allow_extra_args(false);
-    app.add_option("--arch", architectures_,
-                   "Presets or architecture files, joined by commas; default: mobile")
-        ->allow_extra_args(false);
-    options_.declare(app);
+  void declare(Options& options) override {
+    options.add("scenes", scenes_,
+                "Scene files, or names of built-in scenes; `default` with --heightmap alone");
+    options.add(
+        "--algorithm", algorithms_,
+        "Several, joined by commas: names out of `cuesta list algorithms`, schedules such as "
+        "root:common:never:quad, all (default: every exact one), parts, searches, printed, all+searches");
+    options.add("--arch", architectures_, "Presets or architecture files, joined by commas; default: mobile");
+    options_.declare(options);
   }
 
   ExitCode run(const Session& session) override {

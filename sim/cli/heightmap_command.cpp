@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
@@ -14,9 +13,9 @@
 #include "models/heightmap/generator.h"
 #include "models/heightmap/pyramid.h"
 #include "models/heightmap/texel_layout.h"
+#include "sim/cli/options.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
-#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 #include "traces/heightmaps/height_source_text.h"
 #include "traces/heightmaps/image_writer.h"
@@ -47,13 +46,13 @@ Watch watch_of(const Session& session, const char* label) {
 
 class MakeCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("kind", options_.kind, kind_list())->required();
-    app.add_option("-o,--output", options_.output, "File to write: .png, .tif or .tiff")->required();
-    app.add_option("--size", size_, "Texels: 256 or 640x480, 1 to 16384 on a side; default: the kind's own");
-    app.add_option("--bits", options_.bits, "Bits of a height, 1 to 16; default: the kind's own");
-    add_seed_option(app, options_.seed, "Another seed, another map of the kind");
-    app.add_flag("--force", options_.force, "Replace a file of that name");
+  void declare(Options& options) override {
+    options.add("kind", options_.kind, kind_list()).required();
+    options.add("-o,--output", options_.output, "File to write: .png, .tif or .tiff").required();
+    options.add("--size", size_, "Texels: 256 or 640x480, 1 to 16384 on a side; default: the kind's own");
+    options.add("--bits", options_.bits, "Bits of a height, 1 to 16; default: the kind's own");
+    options.add_seed(options_.seed, "Another seed, another map of the kind");
+    options.add_flag("--force", options_.force, "Replace a file of that name");
   }
   ExitCode run(const Session& session) override {
     if (!size_.empty()) parse_map_size(size_, options_.width, options_.height);
@@ -69,23 +68,24 @@ class MakeCommand : public Command {
 
 class InfoCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option(
-           "file", source_.path,
-           "An image (PNG, TIFF, EXR, TGA, BMP, JPEG, DDS ...), an ESRI text grid (.asc, .grd), an SRTM tile "
-           "(.hgt), or a file without a header (.raw, .r8, .r16, .r32, or any with --raw)")
-        ->required();
-    app.add_option("--channel", source_.channel,
-                   "Name or index of the channel to read; default: the one that it can be");
-    app.add_option("--values", values_, "What the file holds: height or depth")->capture_default_str();
-    app.add_option("--bits", bits_, "Bits of a height, 1 to 16; default: 8 for 8-bit files, else 16");
-    app.add_option("--normalise", normalise_, "auto, none or min_max")->capture_default_str();
-    app.add_option("--range", range_, "LOW..HIGH: what becomes 0 and full scale, in the file's units");
-    app.add_option(
+  void declare(Options& options) override {
+    options
+        .add("file", source_.path,
+             "An image (PNG, TIFF, EXR, TGA, BMP, JPEG, DDS ...), an ESRI text grid (.asc, .grd), an SRTM "
+             "tile "
+             "(.hgt), or a file without a header (.raw, .r8, .r16, .r32, or any with --raw)")
+        .required();
+    options.add("--channel", source_.channel,
+                "Name or index of the channel to read; default: the one that it can be");
+    options.add("--values", values_, "What the file holds: height or depth").with_default();
+    options.add("--bits", bits_, "Bits of a height, 1 to 16; default: 8 for 8-bit files, else 16");
+    options.add("--normalise", normalise_, "auto, none or min_max").with_default();
+    options.add("--range", range_, "LOW..HIGH: what becomes 0 and full scale, in the file's units");
+    options.add(
         "--nodata", nodata_,
         "The number of cells without data, which become height 0: -9999, nan; default: as the file says");
-    app.add_option("--raw", raw_,
-                   "A file without a header: WIDTHxHEIGHT, then :uint16 or such, then :little or :big");
+    options.add("--raw", raw_,
+                "A file without a header: WIDTHxHEIGHT, then :uint16 or such, then :little or :big");
   }
   ExitCode run(const Session&) override {
     source_.invert = parse_depth(values_, "--values");

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -7,6 +6,7 @@
 #include "models/common/words.h"
 #include "models/traversal/schedule.h"
 #include "reports/quantities.h"
+#include "sim/cli/options.h"
 #include "sim/cli/verbs.h"
 #include "sim/config/architecture_file.h"
 #include "sim/config/parameters.h"
@@ -159,9 +159,9 @@ constexpr Topic kTopics[] = {{"algorithms", list_algorithms},       {"scenes", l
 
 class ListCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("what", what_, "algorithms, scenes, architectures, effects, parameters or statistics")
-        ->required();
+  void declare(Options& options) override {
+    options.add("what", what_, "algorithms, scenes, architectures, effects, parameters or statistics")
+        .required();
   }
 
   ExitCode run(const Session&) override {

@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 
 #include "models/common/words.h"
+#include "sim/cli/options.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/verbs.h"
@@ -56,7 +56,7 @@ void print_summary(const std::string& path, const RaySummary& summary) {
 
 class InfoCommand : public Command {
  public:
-  void declare(CLI::App& app) override { app.add_option("file", file_, "A .rays or .csv file")->required(); }
+  void declare(Options& options) override { options.add("file", file_, "A .rays or .csv file").required(); }
   ExitCode run(const Session&) override {
     print_summary(file_, summary_of(file_));
     return ExitCode::kOk;
@@ -68,8 +68,8 @@ class InfoCommand : public Command {
 
 class CheckCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("file", files_, "A .rays or .csv file, or several")->required();
+  void declare(Options& options) override {
+    options.add("file", files_, "A .rays or .csv file, or several").required();
   }
   ExitCode run(const Session& session) override {
     for (const std::string& file : files_) {
@@ -86,10 +86,10 @@ class CheckCommand : public Command {
 
 class ConvertCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("from", from_, "File to read: text if its name ends in .csv, else .rays")->required();
-    app.add_option("to,-o,--output", to_, "File to write: .rays, or .csv for text")->required();
-    app.add_flag("--force", force_, "Replace a file of that name");
+  void declare(Options& options) override {
+    options.add("from", from_, "File to read: text if its name ends in .csv, else .rays").required();
+    options.add("to,-o,--output", to_, "File to write: .rays, or .csv for text").required();
+    options.add_flag("--force", force_, "Replace a file of that name");
   }
   ExitCode run(const Session& session) override {
     check_ray_file_name(to_);

@@ -1,11 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "models/common/words.h"
 #include "models/traversal/map_shape.h"
+#include "sim/cli/options.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
-#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 #include "traces/ray_files.h"
 #include "traces/ray_sets.h"
@@ -17,7 +16,7 @@ namespace {
 
 class MakeCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
+  void declare(Options& options) override {
     std::string kinds = "What rays:";
     for (const RaySetKind& kind : ray_set_kinds()) {
       kinds += "\n" + std::string(kind.name) + ": " + std::string(kind.meaning);
@@ -25,25 +24,25 @@ class MakeCommand : public Command {
       kinds += " Ray k is of class k modulo " + std::to_string(kind.classes.size()) + ": " +
                joined(kind.classes) + ".";
     }
-    app.add_option("kind", set_.kind, kinds)->required();
-    app.add_option("-o,--output", output_, "File to write: .rays, or .csv for text")->required();
-    app.add_option("--count", set_.count, "Rays: 1 to 2^28")->capture_default_str();
-    add_seed_option(app, set_.seed, "Another seed, other rays");
-    app.add_option(
-           "--tile-bits", set_.tile_bits,
-           "traverse.tile_bits of the machine that shall take them: no ray starts beyond 2^tile-bits tiles")
-        ->capture_default_str();
-    CLI::Option* of_scene = app.add_option("--map-of", scene_, "For the map and address mode of this scene");
-    for (CLI::Option* option : {
-             app.add_option("--width", width_, "For a map of so many texels in u")->capture_default_str(),
-             app.add_option("--height", height_, "For a map of so many texels in v")->capture_default_str(),
-             app.add_option("--bits", bits_, "For heights of so many bits")->capture_default_str(),
-             app.add_option("--address-mode", address_mode_, "For a map so continued, as in a scene")
-                 ->capture_default_str(),
+    options.add("kind", set_.kind, kinds).required();
+    options.add("-o,--output", output_, "File to write: .rays, or .csv for text").required();
+    options.add("--count", set_.count, "Rays: 1 to 2^28").with_default();
+    options.add_seed(set_.seed, "Another seed, other rays");
+    options
+        .add("--tile-bits", set_.tile_bits,
+             "traverse.tile_bits of the machine that shall take them: no ray starts beyond 2^tile-bits tiles")
+        .with_default();
+    Option of_scene = options.add("--map-of", scene_, "For the map and address mode of this scene");
+    for (const Option option : {
+             options.add("--width", width_, "For a map of so many texels in u").with_default(),
+             options.add("--height", height_, "For a map of so many texels in v").with_default(),
+             options.add("--bits", bits_, "For heights of so many bits").with_default(),
+             options.add("--address-mode", address_mode_, "For a map so continued, as in a scene")
+                 .with_default(),
          }) {
-      of_scene->excludes(option);
+      of_scene.excludes(option);
     }
-    app.add_flag("--force", force_, "Replace a file of that name");
+    options.add_flag("--force", force_, "Replace a file of that name");
   }
 
   ExitCode run(const Session& session) override {

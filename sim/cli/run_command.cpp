@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 
 #include "sim/cli/cycle_host.h"
+#include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
@@ -21,16 +21,17 @@ std::string folder_name(std::string id) {
 
 class RunCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("scene", scene_,
-                   "Scene file, or the name of a built-in scene; `default` with --heightmap alone");
-    app.add_option("--algorithm", algorithm_,
-                   "One out of `cuesta list algorithms`, or a schedule such as root:common:never:quad")
-        ->capture_default_str();
-    app.add_option("--arch", architecture_, "Preset or architecture file")->capture_default_str();
-    app.add_option("--vcd", vcd_, "With --host systemc: the machine's signals into a VCD file; slow");
-    waves_.declare(app);
-    options_.declare(app);
+  void declare(Options& options) override {
+    options.add("scene", scene_,
+                "Scene file, or the name of a built-in scene; `default` with --heightmap alone");
+    options
+        .add("--algorithm", algorithm_,
+             "One out of `cuesta list algorithms`, or a schedule such as root:common:never:quad")
+        .with_default();
+    options.add("--arch", architecture_, "Preset or architecture file").with_default();
+    options.add("--vcd", vcd_, "With --host systemc: the machine's signals into a VCD file; slow");
+    waves_.declare(options);
+    options_.declare(options);
   }
 
   ExitCode run(const Session& session) override {

@@ -1,48 +1,49 @@
 #include "sim/cli/run_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 
 #include "models/common/words.h"
+#include "sim/cli/options.h"
 #include "sim/hosts/systemc/systemc_host.h"
 #include "sim/measure.h"
 #include "sim/transaction_run.h"
 
 namespace cuesta {
 
-void RunOptions::declare(CLI::App& app) {
-  app.add_option("--fidelity", fidelity,
-                 "functional (hits and steps, no time), transaction (cycles and traffic estimated, rays "
-                 "running ahead of "
-                 "time), cycle (every cycle of every unit), or rtl (cycle with the hardware, Verilated, in "
-                 "the place of its "
-                 "units: units.hmt_top)")
-      ->capture_default_str();
-  app.add_option(
-         "--host", host,
-         "direct (the event loop) or systemc (the machine as a SystemC module, its dram behind a TLM socket)")
-      ->capture_default_str();
-  app.add_option("--set", settings, "One value of the architecture: height_l1.ways=4; may be repeated")
-      ->allow_extra_args(false);
-  app.add_option(
+void RunOptions::declare(Options& options) {
+  options
+      .add("--fidelity", fidelity,
+           "functional (hits and steps, no time), transaction (cycles and traffic estimated, rays "
+           "running ahead of "
+           "time), cycle (every cycle of every unit), or rtl (cycle with the hardware, Verilated, in "
+           "the place of its "
+           "units: units.hmt_top)")
+      .with_default();
+  options
+      .add("--host", host,
+           "direct (the event loop) or systemc (the machine as a SystemC module, its dram behind a TLM "
+           "socket)")
+      .with_default();
+  options.add("--set", settings, "One value of the architecture: height_l1.ways=4; may be repeated");
+  options.add(
       "--heightmap", heightmap,
       "Heights from an image in the place of the scene's: FILE or FILE:CHANNEL, as rocks.tga:A, and then "
       "any of ,values=depth ,bits=12 ,normalise=min_max ,range=-4.5..921 ,nodata=-9999 "
       ",raw=1024x1024:uint16");
-  app.add_option("--rays", rays_file, "Rays from a .rays or .csv file in the place of the scene's camera");
-  app.add_option("--angle", angle_degrees,
-                 "The camera's angle to the surface's normal: 0 front to 89.9 grazing");
-  app.add_option("--depth", depth, "Thickness of the relief in widths of a tile: 0.0001 to 10");
-  app.add_option(
+  options.add("--rays", rays_file, "Rays from a .rays or .csv file in the place of the scene's camera");
+  options.add("--angle", angle_degrees,
+              "The camera's angle to the surface's normal: 0 front to 89.9 grazing");
+  options.add("--depth", depth, "Thickness of the relief in widths of a tile: 0.0001 to 10");
+  options.add(
       "--surface", surface,
       "What the heights mean, in the place of the scene's surface.kind: texel (each texel is flat) or "
       "bilinear (patches between the texels' middles; in float and double)");
-  app.add_option("--size", size, "Pixels: 256 or 640x480");
-  app.add_option("--crop", crop, "Only the pixels x,y,width,height of the frame");
-  app.add_option("-o,--output", folder, "Result folder; default: the next free results/SCENE-ALGORITHM-NNN");
-  app.add_flag("--force,--overwrite", force, "Replace an older result folder of that name");
-  app.add_flag("--json", json, "Print result.json to stdout in the place of the table");
+  options.add("--size", size, "Pixels: 256 or 640x480");
+  options.add("--crop", crop, "Only the pixels x,y,width,height of the frame");
+  options.add("-o,--output", folder, "Result folder; default: the next free results/SCENE-ALGORITHM-NNN");
+  options.add_flag("--force,--overwrite", force, "Replace an older result folder of that name");
+  options.add_flag("--json", json, "Print result.json to stdout in the place of the table");
 }
 
 Fidelity parse_fidelity(const std::string& name) {

@@ -25,7 +25,7 @@ struct RunOptions {
   bool json = false;
   bool force = false;
 
-  void declare(CLI::App& app);
+  void declare(Options& options);
 };
 
 /// Throws usage_error for names that are not known, for known ones that this program cannot run yet, and for a host

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include "models/common/words.h"
 #include "reports/result_json.h"
 #include "reports/study/study_readme.h"
+#include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/standard_output.h"
@@ -21,19 +21,18 @@ namespace {
 /// alone, so that everything else has the same bytes each time.
 class StudyCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("name", name_, "Which study: " + names_of_studies([](const Study&) { return true; }))
-        ->required();
-    app.add_option("-o,--output", folder_,
-                   "Folder; default: reports/published/NAME, with --quick results/NAME-quick");
-    app.add_option("--resume", resume_,
-                   "Take finished cases over from the data.json of an earlier, stopped one");
-    app.add_flag("--force,--overwrite", force_, "Replace an older folder of that name");
-    app.add_flag("--quick", quick_, "A small part of the matrix: seconds instead of minutes");
-    app.add_flag("--times", times_,
-                 "Measure wall times on this host too, after the cases: times.json, and on the page");
-    app.add_option("--workers", workers_, "Threads, 1 to 64; the data do not depend on it")
-        ->capture_default_str();
+  void declare(Options& options) override {
+    options.add("name", name_, "Which study: " + names_of_studies([](const Study&) { return true; }))
+        .required();
+    options.add("-o,--output", folder_,
+                "Folder; default: reports/published/NAME, with --quick results/NAME-quick");
+    options.add("--resume", resume_,
+                "Take finished cases over from the data.json of an earlier, stopped one");
+    options.add_flag("--force,--overwrite", force_, "Replace an older folder of that name");
+    options.add_flag("--quick", quick_, "A small part of the matrix: seconds instead of minutes");
+    options.add_flag("--times", times_,
+                     "Measure wall times on this host too, after the cases: times.json, and on the page");
+    options.add("--workers", workers_, "Threads, 1 to 64; the data do not depend on it").with_default();
   }
 
   ExitCode run(const Session& session) override {

@@ -1,8 +1,8 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 
 #include "models/traversal/map_shape.h"
+#include "sim/cli/options.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/verbs.h"
@@ -16,11 +16,11 @@ namespace {
 
 class TraceCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("scene", scene_, "Scene file, or the name of a built-in scene")->required();
-    app.add_option("-o,--output", output_, "File to write: .rays, or .csv for text")->required();
-    app.add_option("--crop", crop_, "Only the pixels x,y,width,height; ids stay those of the whole frame");
-    app.add_flag("--force", force_, "Replace a file of that name");
+  void declare(Options& options) override {
+    options.add("scene", scene_, "Scene file, or the name of a built-in scene").required();
+    options.add("-o,--output", output_, "File to write: .rays, or .csv for text").required();
+    options.add("--crop", crop_, "Only the pixels x,y,width,height; ids stay those of the whole frame");
+    options.add_flag("--force", force_, "Replace a file of that name");
   }
 
   ExitCode run(const Session& session) override {

@@ -1,6 +1,6 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
@@ -14,13 +14,10 @@ namespace {
 /// Every run checks its own laws; here many small runs do, and both fidelities must find the same hits and steps.
 class VerifyLawsCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("--size", size_, "Pixels on a side of each scene's frame: 1 to 1024")
-        ->capture_default_str();
-    app.add_option("--scene", scenes_, "Only these scenes, joined by commas; default: all built-in ones")
-        ->allow_extra_args(false);
-    app.add_option("--arch", machines_, "Only these machines, joined by commas; default: all presets")
-        ->allow_extra_args(false);
+  void declare(Options& options) override {
+    options.add("--size", size_, "Pixels on a side of each scene's frame: 1 to 1024").with_default();
+    options.add("--scene", scenes_, "Only these scenes, joined by commas; default: all built-in ones");
+    options.add("--arch", machines_, "Only these machines, joined by commas; default: all presets");
   }
 
   ExitCode run(const Session& session) override {

@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -10,8 +9,8 @@
 #include "models/oracle/bilinear_check.h"
 #include "models/oracle/precision_check.h"
 #include "models/oracle/traversal_check.h"
+#include "sim/cli/options.h"
 #include "sim/cli/progress.h"
-#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 
 namespace cuesta {
@@ -39,36 +38,37 @@ void print_row(std::string_view name, const VerdictCounts& counts) {
 /// Random maps and rays under every schedule and arithmetic, and both exact oracles.
 class VerifyOracleCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("--rays", rays_,
-                   "Rays to check; each is walked under 109 schedules in 3 arithmetics, on maps in every "
-                   "address mode, "
-                   "some stopped above the texels")
-        ->check(CLI::Range(int64_t{0}, int64_t{1000000000}))
-        ->capture_default_str();
-    app.add_option("--precision-rays", precision_rays_,
-                   "Rays whose answer is judged in each number format, as quantised and as traced; one in "
-                   "five lies on "
-                   "the lattice")
-        ->check(CLI::Range(int64_t{0}, int64_t{1000000000}))
-        ->capture_default_str();
-    app.add_option(
-           "--bilinear-rays", bilinear_rays_,
-           "Rays over bilinear surfaces; each is walked under the same schedules in float and double. A "
-           "tenth of them, in fans, is swept across the borders of patches")
-        ->check(CLI::Range(int64_t{0}, int64_t{1000000000}))
-        ->capture_default_str();
-    app.add_option("--bilinear-exact-rays", bilinear_exact_rays_,
-                   "Rays over bilinear surfaces whose answer is held against exact arithmetic")
-        ->check(CLI::Range(int64_t{0}, int64_t{1000000000}))
-        ->capture_default_str();
-    add_seed_option(app, seed_, "Seed of maps and rays");
-    app.add_option("--max-side", max_side_, "Longest side of a map, texels")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
-    app.add_option("--threads", threads_, "Threads that share the work; the counts do not depend on them")
-        ->check(CLI::Range(1, 256))
-        ->capture_default_str();
+  void declare(Options& options) override {
+    options
+        .add("--rays", rays_,
+             "Rays to check; each is walked under 109 schedules in 3 arithmetics, on maps in every "
+             "address mode, "
+             "some stopped above the texels")
+        .range(int64_t{0}, int64_t{1000000000})
+        .with_default();
+    options
+        .add("--precision-rays", precision_rays_,
+             "Rays whose answer is judged in each number format, as quantised and as traced; one in "
+             "five lies on "
+             "the lattice")
+        .range(int64_t{0}, int64_t{1000000000})
+        .with_default();
+    options
+        .add("--bilinear-rays", bilinear_rays_,
+             "Rays over bilinear surfaces; each is walked under the same schedules in float and double. A "
+             "tenth of them, in fans, is swept across the borders of patches")
+        .range(int64_t{0}, int64_t{1000000000})
+        .with_default();
+    options
+        .add("--bilinear-exact-rays", bilinear_exact_rays_,
+             "Rays over bilinear surfaces whose answer is held against exact arithmetic")
+        .range(int64_t{0}, int64_t{1000000000})
+        .with_default();
+    options.add_seed(seed_, "Seed of maps and rays");
+    options.add("--max-side", max_side_, "Longest side of a map, texels").range(1, 1024).with_default();
+    options.add("--threads", threads_, "Threads that share the work; the counts do not depend on them")
+        .range(1, 256)
+        .with_default();
   }
 
   ExitCode run(const Session& session) override {

@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
 
 #include <chrono>
 #include <filesystem>
@@ -10,10 +9,10 @@
 
 #include "models/common/words.h"
 #include "reports/result_folder.h"
+#include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
-#include "sim/cli/seed_option.h"
 #include "sim/cli/verbs.h"
 #include "sim/lockstep/case_files.h"
 #include "sim/lockstep/lockstep.h"
@@ -29,54 +28,52 @@ constexpr int kMostRays = 400;  ///< of a random machine
 /// rays and machine.
 class VerifyRtlCommand : public Command {
  public:
-  void declare(CLI::App& app) override {
-    app.add_option("scene", scene_,
-                   "Scene file or name: its rays on the machine of --arch. Without one (and without "
-                   "--heightmap): random machines with random rays");
-    app.add_option("--unit", unit_,
-                   "What is hardware: hmt_top (ray_setup, traverse and height_l1) or traverse")
-        ->capture_default_str();
-    seconds_option_ = app.add_option("--seconds", seconds_, "Random machines: so long")
-                          ->check(CLI::Range(int64_t{1}, int64_t{1000000}))
-                          ->capture_default_str();
-    count_option_ = app.add_option("--ray-count", ray_count_,
-                                   "Random machines: until so many rays, in the place of --seconds")
-                        ->check(CLI::Range(int64_t{1}, int64_t{1000000000000}));
-    seed_option_ = add_seed_option(app, seed_, "Random machines: seed of the first; the next has the next");
-    sets_option_ =
-        app.add_option("--sets", sets_,
-                       "Random machines: only of these compiled sets, joined by commas; default: all")
-            ->allow_extra_args(false);
-    app.add_option("--workers", workers_,
-                   "Random machines that run at a time; what is found does not depend on it")
-        ->check(CLI::Range(1, 256))
-        ->capture_default_str();
-    app.add_option("--rays", options_.rays_file,
-                   "Rays from a .rays or .csv file, over the scene's heights (default's without one)");
-    app.add_option("--heightmap", options_.heightmap, "Heights from an image, as `cuesta run` takes them");
-    algorithm_option_ = app.add_option("--algorithm", algorithm_,
-                                       "With a scene: one out of `cuesta list algorithms`, or a schedule")
-                            ->capture_default_str();
+  void declare(Options& options) override {
+    options.add("scene", scene_,
+                "Scene file or name: its rays on the machine of --arch. Without one (and without "
+                "--heightmap): random machines with random rays");
+    options.add("--unit", unit_, "What is hardware: hmt_top (ray_setup, traverse and height_l1) or traverse")
+        .with_default();
+    seconds_option_ = options.add("--seconds", seconds_, "Random machines: so long")
+                          .range(int64_t{1}, int64_t{1000000})
+                          .with_default();
+    count_option_ =
+        options
+            .add("--ray-count", ray_count_, "Random machines: until so many rays, in the place of --seconds")
+            .range(int64_t{1}, int64_t{1000000000000});
+    seed_option_ = options.add_seed(seed_, "Random machines: seed of the first; the next has the next");
+    sets_option_ = options.add(
+        "--sets", sets_, "Random machines: only of these compiled sets, joined by commas; default: all");
+    options
+        .add("--workers", workers_, "Random machines that run at a time; what is found does not depend on it")
+        .range(1, 256)
+        .with_default();
+    options.add("--rays", options_.rays_file,
+                "Rays from a .rays or .csv file, over the scene's heights (default's without one)");
+    options.add("--heightmap", options_.heightmap, "Heights from an image, as `cuesta run` takes them");
+    algorithm_option_ = options
+                            .add("--algorithm", algorithm_,
+                                 "With a scene: one out of `cuesta list algorithms`, or a schedule")
+                            .with_default();
     architecture_option_ =
-        app.add_option("--arch", architecture_, "With a scene: preset or architecture file")
-            ->capture_default_str();
-    app.add_option("--set", options_.settings,
-                   "With a scene: one value of the architecture: height_l1.ways=4; may be repeated")
-        ->allow_extra_args(false);
-    app.add_option("--size", options_.size, "With a scene: pixels: 256 or 640x480");
-    app.add_option("--crop", options_.crop, "With a scene: only the pixels x,y,width,height of the frame");
-    app.add_option(
+        options.add("--arch", architecture_, "With a scene: preset or architecture file").with_default();
+    options.add("--set", options_.settings,
+                "With a scene: one value of the architecture: height_l1.ways=4; may be repeated");
+    options.add("--size", options_.size, "With a scene: pixels: 256 or 640x480");
+    options.add("--crop", options_.crop, "With a scene: only the pixels x,y,width,height of the frame");
+    options.add(
         "--stalls", stalls_,
         "With a scene: SEED:p,p,p,p,p,p,p,p, chances of a stall per mille at the ports trace, "
         "dispatch, setup (with --unit traverse), memory request, memory response, hit stream, result, write");
-    app.add_option("--memory", memory_,
-                   "With a scene: SEED:LEAST,MOST,GAP: rays come up to GAP cycles apart, memory answers "
-                   "after LEAST to MOST cycles, in any order");
-    app.add_option("--register-seed", register_seed_,
-                   "With a scene: what registers without a reset begin with; 0: zeros")
-        ->check(CLI::Range(0, 1 << 30));
-    app.add_option("-o,--output", options_.folder,
-                   "New folder for the smallest failing case; default: the next free results/verify-rtl-NNN");
+    options.add("--memory", memory_,
+                "With a scene: SEED:LEAST,MOST,GAP: rays come up to GAP cycles apart, memory answers "
+                "after LEAST to MOST cycles, in any order");
+    options
+        .add("--register-seed", register_seed_,
+             "With a scene: what registers without a reset begin with; 0: zeros")
+        .range(0, 1 << 30);
+    options.add("-o,--output", options_.folder,
+                "New folder for the smallest failing case; default: the next free results/verify-rtl-NNN");
   }
 
   ExitCode run(const Session& session) override {
@@ -101,12 +98,12 @@ class VerifyRtlCommand : public Command {
 
   /// An option that this run does not use is an error.
   void refuse_unused(bool own) const {
-    const std::pair<const char*, bool> of_random[] = {{"--seconds", seconds_option_->count() > 0},
-                                                      {"--ray-count", count_option_->count() > 0},
-                                                      {"--seed", seed_option_->count() > 0},
-                                                      {"--sets", sets_option_->count() > 0}};
-    const std::pair<const char*, bool> of_own[] = {{"--algorithm", algorithm_option_->count() > 0},
-                                                   {"--arch", architecture_option_->count() > 0},
+    const std::pair<const char*, bool> of_random[] = {{"--seconds", seconds_option_.count() > 0},
+                                                      {"--ray-count", count_option_.count() > 0},
+                                                      {"--seed", seed_option_.count() > 0},
+                                                      {"--sets", sets_option_.count() > 0}};
+    const std::pair<const char*, bool> of_own[] = {{"--algorithm", algorithm_option_.count() > 0},
+                                                   {"--arch", architecture_option_.count() > 0},
                                                    {"--set", !options_.settings.empty()},
                                                    {"--size", !options_.size.empty()},
                                                    {"--crop", !options_.crop.empty()},
@@ -176,7 +173,7 @@ class VerifyRtlCommand : public Command {
     const HardwareUnit unit = parse_hardware_unit(unit_);
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::seconds(seconds_);
-    const bool by_rays = count_option_->count() > 0;
+    const bool by_rays = count_option_.count() > 0;
     ProgressBar bar(session, "verify rtl", "rays", by_rays ? ray_count_ : 0);
     Totals totals;
     bool stopped = false;
@@ -259,8 +256,7 @@ class VerifyRtlCommand : public Command {
   uint64_t seed_ = 1;
   int workers_ = 1;
   int register_seed_ = 0;
-  CLI::Option *seconds_option_ = nullptr, *count_option_ = nullptr, *seed_option_ = nullptr,
-              *sets_option_ = nullptr, *algorithm_option_ = nullptr, *architecture_option_ = nullptr;
+  Option seconds_option_, count_option_, seed_option_, sets_option_, algorithm_option_, architecture_option_;
   std::optional<ResultFolder> folder_;  ///< of -o
   std::array<LockstepSide, 2> sides_;
   size_t sets_compared_ = 0;

@@ -1,14 +1,15 @@
 #include "sim/cli/wave_options.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 
 #include "models/common/error.h"
 #include "models/common/words.h"
 #include "models/dispatch/dispatch_order.h"
+#include "sim/cli/options.h"
 #include "sim/cycle_machine.h"
 
 namespace cuesta {
@@ -79,14 +80,14 @@ WaveWindow window_of_pixel(const WaveOptions& options, const Workload& work, Arc
 
 }  // namespace
 
-void WaveOptions::declare(CLI::App& app) {
-  app.add_option(
+void WaveOptions::declare(Options& options) {
+  options.add(
       "--waves", file,
       "With hardware (--fidelity rtl): the signals of one pipeline into an FST file, for GTKWave or Surfer");
-  app.add_option("--waves-cycles", cycles, "FIRST:LAST cycle of the waves; default: the first 1000");
-  app.add_option("--waves-pixel", pixel, "X,Y: from dispatch to completion of this pixel's rays");
-  app.add_option("--waves-pipeline", pipeline, "Whose hardware; with --waves-pixel: the pixel's")
-      ->check(CLI::NonNegativeNumber);
+  options.add("--waves-cycles", cycles, "FIRST:LAST cycle of the waves; default: the first 1000");
+  options.add("--waves-pixel", pixel, "X,Y: from dispatch to completion of this pixel's rays");
+  options.add("--waves-pipeline", pipeline, "Whose hardware; with --waves-pixel: the pixel's")
+      .range(0, std::numeric_limits<int>::max());
 }
 
 void WaveOptions::check() const {

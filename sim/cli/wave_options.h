@@ -4,11 +4,9 @@
 
 #include "sim/measure.h"
 
-namespace CLI {
-class App;
-}
-
 namespace cuesta {
+
+class Options;
 
 /// Options for the signals of hardware.
 struct WaveOptions {
@@ -17,7 +15,7 @@ struct WaveOptions {
   std::string pixel;   ///< "17,33"
   int pipeline = 0;
 
-  void declare(CLI::App& app);
+  void declare(Options& options);
   bool wanted() const { return !file.empty(); }
   /// Throws usage_error for options that do not go together or cannot be read, and for a file that is there.
   void check() const;

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "sim/cli/options.h"
 #include "sim/cli/verbs.h"
 #include "tests/traces/support.h"
 #include "traces/front_end.h"
@@ -14,7 +15,8 @@ namespace {
 /// Runs a verb as the command line does; what it printed.
 std::string run(std::unique_ptr<Command> command, const std::vector<std::string>& arguments) {
   CLI::App app;
-  command->declare(app);
+  Options options(app);
+  command->declare(options);
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 wants a vector
   app.parse(reversed);
   Session session;
