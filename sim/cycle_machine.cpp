@@ -302,7 +302,7 @@ void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* d
     set("hit_queue", "pushes", unit.hit_queue.pushes());
     set("hit_queue", "pops", unit.hit_queue.pops());
     set("hit_queue", "waited_cycles", unit.hit_queue.waited_cycles());
-    set("hit_queue", "max_fill", unit.hit_queue.max_fill());
+    set("hit_queue", "max_fill", static_cast<int64_t>(unit.hit_queue.max_fill()));
     const ResultWriter::Counts& writer = unit.writer.counts();
     set("result_writer", "records", writer.records);
     set("result_writer", "bursts", writer.bursts);

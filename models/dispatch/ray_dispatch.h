@@ -7,6 +7,7 @@
 
 #include "models/architecture.h"
 #include "models/common/port_stalls.h"
+#include "models/common/ring.h"
 
 namespace cuesta {
 
@@ -31,10 +32,12 @@ class RayDispatch {
       : rays_(rays),
         interleave_(parameters.assign == DispatchAssign::kInterleave),
         targets_(std::move(targets)),
-        credits_(static_cast<size_t>(pipelines)),
-        queues_(static_cast<size_t>(pipelines)),
+        credits_(static_cast<size_t>(pipelines), Ring<Cycle>(static_cast<size_t>(parameters.queue_depth))),
+        queues_(static_cast<size_t>(pipelines), Ring<Sent>(static_cast<size_t>(parameters.queue_depth))),
         stalls_(stalls) {
-    for (auto& credits : credits_) credits.assign(static_cast<size_t>(parameters.queue_depth), 0);
+    for (auto& credits : credits_) {
+      for (int k = 0; k < parameters.queue_depth; ++k) credits.push_back(0);
+    }
   }
 
   /// More rays may come, until `close`.
@@ -87,7 +90,7 @@ class RayDispatch {
   /// A credit of pipeline p that may be used from `cycle` on; called in order of cycles.
   void give_credit(int pipeline, Cycle cycle) { credits_[static_cast<size_t>(pipeline)].push_back(cycle); }
 
-  std::deque<Sent>& queue(int pipeline) { return queues_[static_cast<size_t>(pipeline)]; }
+  Ring<Sent>& queue(int pipeline) { return queues_[static_cast<size_t>(pipeline)]; }
   /// None waits, none can come.
   bool all_sent() const { return next_ == rays_ && !open_; }
   /// None waits, more may come.
@@ -107,8 +110,8 @@ class RayDispatch {
   Cycle closed_ = -1;
   std::deque<Sent> arrivals_;  ///< of rays that were not there from cycle 0, until they are sent
   std::vector<uint16_t> targets_;
-  std::vector<std::deque<Cycle>> credits_;  ///< per pipeline: when each credit may be used
-  std::vector<std::deque<Sent>> queues_;    ///< per pipeline: sent, not yet in ray_setup
+  std::vector<Ring<Cycle>> credits_;  ///< per pipeline: when each credit may be used
+  std::vector<Ring<Sent>> queues_;    ///< per pipeline: sent, not yet in ray_setup
   uint32_t next_ = 0;
   Cycle next_cycle_ = 0;
   Cycle horizon_ = 0;

@@ -31,6 +31,7 @@ class Dram {
     int64_t bus_clocks = 0;  ///< all channels
   };
 
+  /// `granule_bytes`: a power of two, as the parameters in bytes, channels and banks are.
   Dram(const DramParameters& parameters, int granule_bytes);
 
   Served serve(Cycle arrival, uint64_t address, int bytes, bool write);
@@ -50,8 +51,8 @@ class Dram {
   };
 
   DramParameters parameters_;
-  uint64_t granule_bytes_;
-  uint64_t granules_per_row_;
+  // log2 of what is a power of two.
+  int granule_shift_, channel_shift_, row_shift_, bank_shift_, bus_shift_;
   std::vector<Bank> banks_;        ///< channel-major
   std::vector<int64_t> bus_free_;  ///< per channel
   Counts counts_;

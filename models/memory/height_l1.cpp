@@ -1,14 +1,16 @@
 #include "models/memory/height_l1.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cuesta {
 
-HeightL1::Answer HeightL1::miss(uint32_t line, uint32_t first_way, int context, uint32_t ray, Cycle cycle) {
+HeightL1::Answer HeightL1::miss(uint32_t line, int context, uint32_t ray, Cycle cycle) {
+  ++counts_.accesses;
   next_waiter_[static_cast<size_t>(context)] = -1;
-  for (uint64_t bits = pending_; bits != 0; bits &= bits - 1) {
-    Mshr& mshr = mshrs_[static_cast<size_t>(std::countr_zero(bits))];
-    if (mshr.line == line) {
+  for (size_t four = 0; four < pending_lines_.size(); four += 4) {
+    if (const unsigned equal = equal_of_four(&pending_lines_[four], line); equal != 0) {
+      Mshr& mshr = mshrs_[four + static_cast<size_t>(std::countr_zero(equal))];
       next_waiter_[static_cast<size_t>(mshr.last_waiter)] = context;
       mshr.last_waiter = context;
       ++counts_.merges;
@@ -21,13 +23,16 @@ HeightL1::Answer HeightL1::miss(uint32_t line, uint32_t first_way, int context, 
   }
   const int slot = std::countr_zero(free_mshrs_);
   free_mshrs_ &= ~(uint64_t{1} << slot);
-  pending_ |= uint64_t{1} << slot;
+  pending_lines_[static_cast<size_t>(slot)] = line;
+  const uint32_t first_way = sets_.first_way(line);
   uint32_t victim = first_way;
-  for (uint32_t way = first_way + 1; way < first_way + ways_; ++way) {
-    if (used_[way] < used_[victim]) victim = way;
+  Cycle least = used_[victim];
+  for (uint32_t way = first_way + 1; way < first_way + sets_.ways_; ++way) {
+    victim = used_[way] < least ? way : victim;
+    least = std::min(least, used_[way]);
   }
   used_[victim] = cycle + 1;
-  mshrs_[static_cast<size_t>(slot)] = {line, victim, context, context, kNever, cycle};
+  mshrs_[static_cast<size_t>(slot)] = {victim, context, context, cycle};
   ++counts_.misses;
   uint64_t& word = seen_[line / 64];
   counts_.unique_lines += static_cast<int64_t>(~word >> (line % 64) & 1);
@@ -42,17 +47,18 @@ HeightL1::Answer HeightL1::miss(uint32_t line, uint32_t first_way, int context, 
 
 Cycle HeightL1::earliest(Cycle response) const {
   return first_free_landing(response, stalls_, pipeline_, [&](Cycle lands) {
-    for (uint64_t bits = pending_; bits != 0; bits &= bits - 1) {
-      if (mshrs_[static_cast<size_t>(std::countr_zero(bits))].lands == lands) return true;
-    }
-    return false;
+    size_t k = landings_.size();
+    while (k > 0 && landings_[k - 1].cycle > lands) --k;
+    return k > 0 && landings_[k - 1].cycle == lands;
   });
 }
 
 void HeightL1::respond(int slot, Cycle response) {
   const Cycle lands = earliest(response);
-  mshrs_[static_cast<size_t>(slot)].lands = lands;
-  next_landing_ = std::min(next_landing_, lands);
+  landings_.push_back({lands, slot});
+  for (size_t k = landings_.size() - 1; k > 0 && landings_[k - 1].cycle > lands; --k)
+    std::swap(landings_[k - 1], landings_[k]);
+  next_landing_ = landings_.front().cycle;
 }
 
 HeightL1::Counts HeightL1::counts_until(Cycle end) const {
@@ -64,21 +70,14 @@ HeightL1::Counts HeightL1::counts_until(Cycle end) const {
 }
 
 void HeightL1::land_one() {
-  int slot = 0;
-  for (uint64_t bits = pending_; bits != 0; bits &= bits - 1) {
-    slot = std::countr_zero(bits);
-    if (mshrs_[static_cast<size_t>(slot)].lands == next_landing_) break;
-  }
-  const Mshr& mshr = mshrs_[static_cast<size_t>(slot)];
-  pending_ &= ~(uint64_t{1} << slot);
+  const int slot = landings_.front().slot;
+  landings_.pop_front();
+  next_landing_ = landings_.empty() ? kNever : landings_.front().cycle;
+  uint32_t& line = lines_[mshrs_[static_cast<size_t>(slot)].victim_way];
   ++counts_.fills;
-  counts_.evictions += lines_[mshr.victim_way] != kNoLine;
-  lines_[mshr.victim_way] = mshr.line;
+  counts_.evictions += line != kNoLine;
+  line = std::exchange(pending_lines_[static_cast<size_t>(slot)], kNoLine);
   landed_.push_back(slot);
-  next_landing_ = kNever;
-  for (uint64_t bits = pending_; bits != 0; bits &= bits - 1) {
-    next_landing_ = std::min(next_landing_, mshrs_[static_cast<size_t>(std::countr_zero(bits))].lands);
-  }
 }
 
 int HeightL1::replay(Cycle cycle) {

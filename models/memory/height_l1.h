@@ -2,7 +2,7 @@
 
 #include <bit>
 #include <cstdint>
-#include <deque>
+#include <span>
 #include <vector>
 
 #if defined(__SSE2__)
@@ -12,6 +12,7 @@
 #include "models/architecture.h"
 #include "models/common/port_log.h"
 #include "models/common/port_stalls.h"
+#include "models/common/ring.h"
 #include "models/memory/memory_port.h"
 
 namespace cuesta {
@@ -24,6 +25,18 @@ Cycle first_free_landing(Cycle response, const PortStalls* stalls, int pipeline,
     lands = PortStalls::free_from(stalls, Port::kMemoryResponse, pipeline, lands);
     if (!booked(lands)) return lands;
   }
+}
+
+/// Bit k: element k of the four equals `line`.
+inline unsigned equal_of_four(const uint32_t* four, uint32_t line) {
+#if defined(__SSE2__)
+  const __m128i lines = _mm_loadu_si128(reinterpret_cast<const __m128i*>(four));
+  const __m128i equal = _mm_cmpeq_epi32(lines, _mm_set1_epi32(static_cast<int>(line)));
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(equal)));
+#else
+  return unsigned{four[0] == line} | unsigned{four[1] == line} << 1 | unsigned{four[2] == line} << 2 |
+         unsigned{four[3] == line} << 3;
+#endif
 }
 
 /// height_l1: the private cache of pyramid texels of one pipeline; non-blocking, misses parked and merged
@@ -51,22 +64,27 @@ class HeightL1 final : public MemoryClient {
     int64_t mshr_cycles = 0;  ///< sum over MSHRs of the cycles they were taken
   };
 
+  static constexpr uint32_t kNoLine = ~0u;
+
   enum class Answer : uint8_t { kHit, kAllocated, kMerged, kRefused };
 
   HeightL1(const HeightL1Parameters& parameters, int contexts, uint64_t image_bytes, int pipeline,
            MemoryPort& memory, const PortStalls* stalls)
       : line_bytes_(parameters.line_bytes),
         line_shift_(std::countr_zero(static_cast<unsigned>(parameters.line_bytes))),
-        ways_(static_cast<uint32_t>(parameters.ways)),
-        set_mask_(static_cast<uint32_t>(parameters.size_bytes / parameters.line_bytes / parameters.ways - 1)),
         pipeline_(pipeline),
         memory_(memory),
         stalls_(stalls),
         lines_(static_cast<size_t>(parameters.size_bytes / parameters.line_bytes), kNoLine),
         used_(lines_.size(), 0),
+        sets_(lines_, used_, static_cast<uint32_t>(parameters.ways)),
         mshrs_(static_cast<size_t>(parameters.mshrs)),
+        pending_lines_((mshrs_.size() + 3) / 4 * 4, kNoLine),
         free_mshrs_(parameters.mshrs == 64 ? ~uint64_t{0} : (uint64_t{1} << parameters.mshrs) - 1),
+        landings_(mshrs_.size()),
         next_waiter_(static_cast<size_t>(contexts), -1),
+        landed_(mshrs_.size()),
+        retry_(next_waiter_.size()),
         seen_((image_bytes >> line_shift_) / 64 + 1, 0) {}
 
   /// From now on requests are added to `log`.
@@ -75,25 +93,53 @@ class HeightL1 final : public MemoryClient {
   /// The context's ray asks for a texel of `line` (address / line_bytes) in `cycle`; `ray` owns the miss that it
   /// may cause.
   Answer lookup(uint32_t line, int context, uint32_t ray, Cycle cycle) {
-    const uint32_t first = (line & set_mask_) * ways_;
-    ++counts_.accesses;
-    const uint32_t hit = find(line, first);
-    if (hit != kNoLine) {
-      used_[hit] = cycle + 1;
-      ++counts_.hits;
-      return Answer::kHit;
-    }
-    return miss(line, first, context, ray, cycle);
+    if (!touch(line, cycle)) return miss(line, context, ray, cycle);
+    count_hits(1);
+    return Answer::kHit;
   }
 
-  /// A lookup ahead of time, for a step of `cycle`: false, and nothing is counted, where the line is not there now.
-  bool touch(uint32_t line, Cycle cycle) {
-    const uint32_t hit = find(line, (line & set_mask_) * ways_);
-    if (hit == kNoLine) return false;
-    used_[hit] = cycle + 1;
-    ++counts_.accesses;
-    ++counts_.hits;
-    return true;
+  /// The sets as lookups see them, to be kept at hand while no fill lands.
+  class Sets {
+   public:
+    Sets(std::span<uint32_t> lines, std::span<Cycle> used, uint32_t ways)
+        : lines_(lines), used_(used), ways_(ways), mask_(static_cast<uint32_t>(lines.size()) / ways - 1) {}
+
+    /// A lookup for a step of `cycle` that counts only where it hits: by `count_hits`, once for many. False where the
+    /// line is not there now.
+    bool touch(uint32_t line, Cycle cycle) const {
+      const uint32_t hit = find(line);
+      if (hit == kNoLine) return false;
+      used_[hit] = cycle + 1;
+      return true;
+    }
+
+   private:
+    friend class HeightL1;
+
+    uint32_t first_way(uint32_t line) const { return (line & mask_) * ways_; }
+    /// The way that holds the line, or kNoLine. Which one it is is as good as random to a branch predictor: all are
+    /// compared, one is selected.
+    uint32_t find(uint32_t line) const {
+      const uint32_t first = first_way(line);
+      uint32_t hit = kNoLine;
+      if (ways_ == 4) {
+        const unsigned equal = equal_of_four(&lines_[first], line);
+        return equal == 0 ? kNoLine : first + static_cast<uint32_t>(std::countr_zero(equal));
+      }
+      for (uint32_t way = first; way < first + ways_; ++way) hit = lines_[way] == line ? way : hit;
+      return hit;
+    }
+
+    std::span<uint32_t> lines_;  ///< sets x ways
+    std::span<Cycle> used_;      ///< 1 + the cycle of the last use; 0: never
+    uint32_t ways_;
+    uint32_t mask_;
+  };
+  Sets sets() const { return sets_; }
+  bool touch(uint32_t line, Cycle cycle) { return sets_.touch(line, cycle); }
+  void count_hits(int64_t hits) {
+    counts_.accesses += hits;
+    counts_.hits += hits;
   }
 
   /// Lets the fills land whose cycle is below `cycle`.
@@ -128,52 +174,36 @@ class HeightL1 final : public MemoryClient {
   size_t retry_fill() const { return retry_.size(); }
 
  private:
-  static constexpr uint32_t kNoLine = ~0u;
-
   struct Mshr {
-    uint32_t line;
     uint32_t victim_way;
     int first_waiter, last_waiter;
-    Cycle lands;
     Cycle allocated;
   };
+  struct Landing {
+    Cycle cycle;
+    int slot;  ///< MSHR
+  };
 
-  /// The way that holds the line, or kNoLine. Which one it is is as good as random to a branch predictor: all are
-  /// compared, one is selected.
-  uint32_t find(uint32_t line, uint32_t first) const {
-    uint32_t hit = kNoLine;
-#if defined(__SSE2__)
-    if (ways_ == 4) {
-      const __m128i set = _mm_loadu_si128(reinterpret_cast<const __m128i*>(lines_.data() + first));
-      const int equal =
-          _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(set, _mm_set1_epi32(static_cast<int>(line)))));
-      return equal == 0 ? kNoLine
-                        : first + static_cast<uint32_t>(std::countr_zero(static_cast<unsigned>(equal)));
-    }
-#endif
-    for (uint32_t way = first; way < first + ways_; ++way) hit = lines_[way] == line ? way : hit;
-    return hit;
-  }
-
-  Answer miss(uint32_t line, uint32_t first_way, int context, uint32_t ray, Cycle cycle);
+  Answer miss(uint32_t line, int context, uint32_t ray, Cycle cycle);
   void land_one();
 
   int line_bytes_;
   int line_shift_;
-  uint32_t ways_;
-  uint32_t set_mask_;
   int pipeline_;
   MemoryPort& memory_;
   const PortStalls* stalls_;
   PortLog* log_ = nullptr;
-  std::vector<uint32_t> lines_;  ///< sets x ways
-  std::vector<Cycle> used_;      ///< 1 + the cycle of the last use; 0: never
+  std::vector<uint32_t> lines_;  ///< of sets_
+  std::vector<Cycle> used_;      ///< of sets_
+  Sets sets_;
   std::vector<Mshr> mshrs_;
+  std::vector<uint32_t>
+      pending_lines_;             ///< per MSHR, to a multiple of four: the line that has not yet landed
   uint64_t free_mshrs_;           ///< bit set: free
-  uint64_t pending_ = 0;          ///< bit set: allocated, line not yet landed
+  Ring<Landing> landings_;        ///< of the pending ones that were answered, by cycle
   std::vector<int> next_waiter_;  ///< per context
-  std::deque<int> landed_;        ///< the fill FIFO: MSHRs whose waiters are being replayed
-  std::deque<int> retry_;
+  Ring<int> landed_;              ///< the fill FIFO: MSHRs whose waiters are being replayed
+  Ring<int> retry_;
   Cycle next_landing_ = kNever;
   Cycle last_leave_ = -1;
   std::vector<uint64_t> seen_;  ///< lines ever asked for

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
 
 #include "models/common/port_stalls.h"
+#include "models/common/ring.h"
 
 namespace cuesta {
 
@@ -20,23 +20,21 @@ class HitQueue {
     Cycle pushed;
   };
 
-  explicit HitQueue(int depth) : depth_(static_cast<uint32_t>(depth)), entries_(depth_) {}
+  explicit HitQueue(int depth) : depth_(static_cast<size_t>(depth)), entries_(depth_) {}
 
-  bool empty() const { return size_ == 0; }
-  bool full() const { return size_ == depth_; }
-  uint32_t size() const { return size_; }
-  const Entry& front() const { return entries_[head_]; }
+  bool empty() const { return entries_.empty(); }
+  bool full() const { return size() == depth_; }
+  size_t size() const { return entries_.size(); }
+  const Entry& front() const { return entries_.front(); }
 
   void push(uint32_t ray, Cycle cycle) {
-    entries_[(head_ + size_) % depth_] = {ray, cycle};
-    ++size_;
+    entries_.push_back({ray, cycle});
     ++pushes_;
-    max_fill_ = std::max(max_fill_, size_);
+    max_fill_ = std::max(max_fill_, size());
   }
   void pop(Cycle cycle) {
     waited_cycles_ += cycle - front().pushed;
-    head_ = (head_ + 1) % depth_;
-    --size_;
+    entries_.pop_front();
     ++pops_;
   }
 
@@ -45,12 +43,12 @@ class HitQueue {
   /// Sum over records of the cycles from push to pop.
   int64_t waited_cycles() const { return waited_cycles_; }
   /// Most records met by a push, itself included; pops of the same cycle not yet counted.
-  uint32_t max_fill() const { return max_fill_; }
+  size_t max_fill() const { return max_fill_; }
 
  private:
-  uint32_t depth_;
-  std::vector<Entry> entries_;  ///< ring
-  uint32_t head_ = 0, size_ = 0, max_fill_ = 0;
+  size_t depth_;
+  Ring<Entry> entries_;
+  size_t max_fill_ = 0;
   int64_t pushes_ = 0, pops_ = 0, waited_cycles_ = 0;
 };
 

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "models/architecture.h"
 #include "models/common/port_log.h"
 #include "models/common/port_stalls.h"
+#include "models/common/ring.h"
 #include "models/dispatch/ray_dispatch.h"
 
 namespace cuesta {
@@ -34,7 +35,9 @@ class RaySetupUnit {
         pipeline_(pipeline),
         source_(source),
         stalls_(stalls),
-        taken_(static_cast<size_t>(parameters.queue_depth), -1) {}
+        ready_(static_cast<size_t>(parameters.queue_depth)),
+        queue_depth_(static_cast<size_t>(parameters.queue_depth)),
+        taken_(std::bit_ceil(queue_depth_), -1) {}
 
   /// From now on entering rays are added to `log`.
   void log_ports(PortLog* log) { log_ = log; }
@@ -42,13 +45,13 @@ class RaySetupUnit {
   /// Moves rays from the dispatch queue into set-up as far as is known.
   void advance() {
     auto& queue = source_.queue(pipeline_);
-    while (ready_.size() < static_cast<size_t>(parameters_.queue_depth)) {
+    while (ready_.size() < queue_depth_) {
       if (queue.empty()) source_.advance();
       if (queue.empty()) return;
       const RayDispatch::Sent next = queue.front();
       Cycle enters =
-          std::max({next.cycle + dispatch_.latency_cycles, last_entered_ + parameters_.interval_cycles,
-                    taken_[static_cast<size_t>(entered_) % taken_.size()] + 1});
+          std::max(next.cycle + dispatch_.latency_cycles, last_entered_ + parameters_.interval_cycles);
+      enters = std::max(enters, taken_at(entered_ - queue_depth_) + 1);
       enters = PortStalls::free_from(stalls_, Port::kDispatch, pipeline_, enters);
       queue.pop_front();
       last_entered_ = enters;
@@ -67,28 +70,32 @@ class RaySetupUnit {
 
   Ready take(Cycle cycle) {
     const Ready taken = ready_.front();
-    taken_[(static_cast<size_t>(entered_) - ready_.size()) % taken_.size()] = cycle;
+    taken_at(entered_ - ready_.size()) = cycle;
     ready_.pop_front();
     return taken;
   }
 
   /// Neither here nor in the queue before.
   bool empty() const { return ready_.empty() && source_.queue(pipeline_).empty(); }
-  int64_t entered() const { return entered_; }
+  int64_t entered() const { return static_cast<int64_t>(entered_); }
   size_t waiting() const { return ready_.size(); }
   size_t queued() const { return source_.queue(pipeline_).size(); }
 
  private:
+  /// When ray k, counted from 0 by entering, was taken: of those that are not yet forgotten.
+  Cycle& taken_at(size_t k) { return taken_[k & (taken_.size() - 1)]; }
+
   RaySetupParameters parameters_;
   RayDispatchParameters dispatch_;
   int pipeline_;
   RayDispatch& source_;
   const PortStalls* stalls_;
   PortLog* log_ = nullptr;
-  std::deque<Ready> ready_;  ///< entered, not yet taken
+  Ring<Ready> ready_;  ///< entered, not yet taken
   Cycle last_entered_ = INT32_MIN;
-  std::vector<Cycle> taken_;  ///< ring: when ray k - queue_depth was taken; -1 at reset
-  int64_t entered_ = 0;
+  size_t queue_depth_;
+  std::vector<Cycle> taken_;  ///< ring of a power of two: when each ray was taken; -1 at reset
+  size_t entered_ = 0;
 };
 
 }  // namespace cuesta

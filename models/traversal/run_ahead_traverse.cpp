@@ -81,8 +81,7 @@ void RunAheadTraverse::select(Cycle limit) {
         run_ahead(context);
       } else {
         park(context, answer);
-        slots_[static_cast<size_t>(slot_)] = -1;
-        --occupied_;
+        take_out();
         empty_from = now + stages_;
       }
       return next_slot();
@@ -110,7 +109,10 @@ void RunAheadTraverse::run_ahead(int context) {
   Cycle at = cycle_ + stages_;
   for (; next != end; ++next, at += stages_) {
     const uint32_t line = *next;
-    if ((line & kKeptStep) == 0 && !l1_.touch(line & kLineMask, at)) break;
+    if ((line & kKeptStep) == 0) {
+      if (!l1_.touch(line & kLineMask, at)) break;
+      l1_.count_hits(1);
+    }
     if (line < kKeptStep) [[likely]]
       continue;
     if (line == kKeptStep) {

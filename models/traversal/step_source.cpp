@@ -19,4 +19,8 @@ void StepSource::make_batch() {
   batch_rays_ = static_cast<uint32_t>(std::clamp<uint64_t>(kLinesPerBatch / lines_per_ray, 8, kLargestBatch));
 }
 
+void StepSource::drop_finished() {
+  while (!batches_.empty() && batches_.front().unfinished == 0) batches_.pop_front();
+}
+
 }  // namespace cuesta

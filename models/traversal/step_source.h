@@ -38,26 +38,21 @@ class StepSource {
 
   void set_rays(uint32_t rays) { rays_ = rays; }
 
-  /// Of a ray that is there; valid until `done(ray)`.
+  /// Of a ray that is there; valid until `finish(ray)`.
   RaySteps steps(uint32_t ray) {
     while (ray >= made_) make_batch();
     const Batch& batch = batch_of(ray);
     const LineSpan& span = batch.spans[ray - batch.first_ray];
     return {batch.lines.data() + span.first, batch.lines.data() + span.first + span.count};
   }
-  const HitRecord& hit(uint32_t ray) {
-    const Batch& batch = batch_of(ray);
-    return batch.hits[ray - batch.first_ray];
-  }
-  /// What the ray reads over all its steps.
-  FetchCounts fetches(uint32_t ray) {
-    const Batch& batch = batch_of(ray);
-    const uint32_t steps = batch.hits[ray - batch.first_ray].steps;
-    return batch.fetches.empty() ? FetchCounts{steps, steps} : batch.fetches[ray - batch.first_ray];
-  }
-  void done(uint32_t ray) {
-    --batch_of(ray).unfinished;
-    while (!batches_.empty() && batches_.front().unfinished == 0) batches_.pop_front();
+  /// Where the ray ends; returns what it has read over all its steps, which are dropped.
+  FetchCounts finish(uint32_t ray, HitRecord& hit) {
+    Batch& batch = batch_of(ray);
+    hit = batch.hits[ray - batch.first_ray];
+    const FetchCounts fetches =
+        batch.fetches.empty() ? FetchCounts{hit.steps, hit.steps} : batch.fetches[ray - batch.first_ray];
+    if (--batch.unfinished == 0) drop_finished();
+    return fetches;
   }
 
  protected:
@@ -81,6 +76,7 @@ class StepSource {
     return batches_.back();  // not reached: rays are asked for before they are done
   }
   void make_batch();
+  void drop_finished();
 
   uint32_t rays_;
   uint32_t made_ = 0;

@@ -1,6 +1,7 @@
 #include "models/traversal/traverse_unit.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "models/common/error.h"
 
@@ -10,22 +11,14 @@ void TraverseUnit::advance(Cycle limit) {
   setup_.advance();
   while (cycle_ < limit) {
     l1_.land_before(cycle_);
-    int& slot = slots_[static_cast<size_t>(slot_)];
-    if (slot >= 0) {
-      Context& ray = contexts_[static_cast<size_t>(slot)];
+    const int context = slots_[static_cast<size_t>(slot_)];
+    if (context >= 0) {
+      const Context& ray = contexts_[static_cast<size_t>(context)];
       if (ray.steps.next != ray.steps.end) {
-        const HeightL1::Answer answer = access(ray, slot);
-        if (answer == HeightL1::Answer::kHit) {
-          step(ray);
-        } else {
-          park(slot, answer);
-          slot = -1;
-          --occupied_;
-        }
-        next_slot();
+        go_on(limit);
         continue;
       }
-      if (!retire(slot, limit)) continue;
+      if (!retire(context, limit)) continue;
     }
     if (finished()) return;
     if (fill_empty_slot())
@@ -36,14 +29,51 @@ void TraverseUnit::advance(Cycle limit) {
   l1_.land_before(cycle_);
 }
 
+/// The ray in the slot at select and those in the slots after it, as long as each goes on with a step of one line that
+/// is there, then what comes instead; no fill lands meanwhile.
+inline void TraverseUnit::go_on(Cycle limit) {
+  const HeightL1::Sets sets = l1_.sets();
+  const int* const slots = slots_.data();
+  Context* const contexts = contexts_.data();
+  const int stages = stages_;
+  const Cycle first = cycle_, end = std::min(limit, l1_.next_landing() + 1);
+  Cycle cycle = first;
+  int slot = slot_, context = slots[slot];
+  do {
+    RaySteps& steps = contexts[context].steps;
+    if (steps.next == steps.end || *steps.next >= kKeptStep || !sets.touch(*steps.next, cycle)) break;
+    ++steps.next;
+    ++cycle;
+    if (++slot == stages) slot = 0;
+    context = slots[slot];
+  } while (cycle < end && context >= 0);
+  cycle_ = cycle;
+  slot_ = slot;
+  if (cycle > first) {
+    counts_.steps += cycle - first;
+    l1_.count_hits(cycle - first);
+    watchdog_.last_progress = cycle - 1;
+  }
+  if (cycle == end || context < 0) return;
+  Context& ray = contexts[context];
+  if (ray.steps.next == ray.steps.end) return;
+  const HeightL1::Answer answer = access(ray, context);
+  if (answer == HeightL1::Answer::kHit) {
+    step(ray);
+  } else {
+    park(context, answer);
+    take_out();
+  }
+  next_slot();
+}
+
 /// Issues a ray into the empty slot at select.
 void TraverseUnit::issue(int context) {
   Context& ray = contexts_[static_cast<size_t>(context)];
   const HeightL1::Answer answer = access(ray, context);
   if (answer != HeightL1::Answer::kHit) return park(context, answer);
   step(ray);
-  slots_[static_cast<size_t>(slot_)] = context;
-  ++occupied_;
+  put(context);
 }
 
 /// The lookup has missed.
@@ -94,19 +124,19 @@ bool TraverseUnit::retire(int context, Cycle limit) {
   }
   Context& ray = contexts_[static_cast<size_t>(context)];
   hit_queue_.push(ray.ray, cycle_);
-  hits_[ray.trace] = source_.hit(ray.ray);
-  timing_[ray.trace] = {cycle_, static_cast<uint32_t>(cycle_ - ray.sent),
-                        hits_[ray.trace].steps + ray.other_slots, ray.misses, source_.fetches(ray.ray)};
-  source_.done(ray.ray);
+  HitRecord& hit = hits_[ray.trace];
+  const FetchCounts fetches = source_.finish(ray.ray, hit);
+  timing_[ray.trace] = {cycle_, static_cast<uint32_t>(cycle_ - ray.sent), hit.steps + ray.other_slots,
+                        ray.misses, fetches};
   ++counts_.rays;
-  counts_.hits += hits_[ray.trace].status == HitStatus::kHit;
+  counts_.hits += hit.status == HitStatus::kHit;
   counts_.resident_cycles += cycle_ - ray.entered;
   watchdog_.last_progress = cycle_;
   if (completions_ != nullptr) completions_->push_back(ray.trace);
-  if (log_ != nullptr) log_->hits.push_back({cycle_, ray.ray, hits_[ray.trace]});
+  if (log_ != nullptr) log_->hits.push_back({cycle_, ray.ray, hit});
   free_.push_back(context);
-  slots_[static_cast<size_t>(slot_)] = -1;
-  --occupied_;
+  --resident_;
+  take_out();
   return true;
 }
 
@@ -117,8 +147,7 @@ bool TraverseUnit::fill_empty_slot() {
     Context& ray = contexts_[static_cast<size_t>(context)];
     ++counts_.replays;
     step(ray);
-    slots_[static_cast<size_t>(slot_)] = context;
-    ++occupied_;
+    put(context);
     return true;
   }
   if (l1_.retry_possible()) {
@@ -133,6 +162,7 @@ bool TraverseUnit::fill_empty_slot() {
   const RaySetupUnit::Ready next = setup_.take(cycle_);
   const int context = free_.back();
   free_.pop_back();
+  ++resident_;
   Context& ray = contexts_[static_cast<size_t>(context)];
   ray.ray = next.ray;
   ray.trace = order_[next.ray];
@@ -147,29 +177,37 @@ bool TraverseUnit::fill_empty_slot() {
     ++ray.other_slots;
     ++counts_.dead_slots;
     watchdog_.last_progress = cycle_;
-    slots_[static_cast<size_t>(slot_)] = context;
-    ++occupied_;
+    put(context);
   }
   setup_.advance();
   return true;
 }
 
+/// From the empty slot at select to the next that holds a ray.
+Cycle TraverseUnit::slots_to_next() const {
+  const auto from = static_cast<size_t>(slot_);
+  size_t word = from / 64;
+  uint64_t bits = busy_[word] >> from % 64 << from % 64;
+  while (bits == 0) {
+    word = word + 1 == busy_.size() ? 0 : word + 1;
+    bits = busy_[word];
+  }
+  const Cycle ahead = static_cast<Cycle>(word) * 64 + std::countr_zero(bits) - slot_;
+  return ahead > 0 ? ahead : ahead + stages_;
+}
+
 /// Nothing can take the slot: time passes to the next slot that holds a ray or the next thing to arrive.
 void TraverseUnit::bubble(Cycle limit) {
   Cycle next = limit;
-  if (occupied_ > 0) {
-    Cycle ahead = 1;
-    for (int s = slot_ + 1;; ++s, ++ahead) {
-      if (slots_[static_cast<size_t>(s >= stages_ ? s - stages_ : s)] >= 0) break;
-    }
-    next = std::min(next, cycle_ + ahead);
-  }
+  if (occupied_ > 0) next = std::min(next, cycle_ + slots_to_next());
   if (l1_.next_landing() != kNever) next = std::min(next, l1_.next_landing() + 1);
   if (!free_.empty()) next = std::min(next, std::max(setup_.next_ready(), cycle_ + 1));
   next = std::max(next, cycle_ + 1);
   if (next >= kNever || (watchdog_.expired(next) && !starved())) give_up();
   add_bubbles(counts_, next - cycle_);
-  slot_ = static_cast<int>((slot_ + next - cycle_) % stages_);
+  const Cycle slots = next - cycle_;
+  slot_ += static_cast<int>(slots < stages_ ? slots : slots % stages_);
+  if (slot_ >= stages_) slot_ -= stages_;
   cycle_ = next;
 }
 

@@ -73,7 +73,8 @@ class TraverseUnit {
         log_(site.log),
         stages_(site.architecture.traverse.stages),
         contexts_(static_cast<size_t>(site.architecture.traverse.contexts)),
-        slots_(static_cast<size_t>(stages_), -1) {
+        slots_(static_cast<size_t>(stages_), -1),
+        busy_(slots_.size() / 64 + 1, 0) {
     for (int context = site.architecture.traverse.contexts - 1; context >= 0; --context)
       free_.push_back(context);
   }
@@ -91,7 +92,7 @@ class TraverseUnit {
   Cycle cycle() const { return cycle_; }
   /// Nothing to do but to wait for rays from outside.
   bool starved() const { return resident() == 0 && setup_.empty() && dispatch_.starved(); }
-  int resident() const { return static_cast<int>(contexts_.size() - free_.size()); }
+  int resident() const { return resident_; }
   /// The cycles from where the unit stopped to the machine's last one.
   void drain_until(Cycle end) {
     add_bubbles(counts_, end - cycle_);
@@ -122,6 +123,18 @@ class TraverseUnit {
       return HeightL1::Answer::kHit;
     return l1_.lookup(line & kLineMask, context, ray.ray, cycle_);
   }
+  void go_on(Cycle limit);
+  void put(int context) {
+    slots_[static_cast<size_t>(slot_)] = context;
+    busy_[static_cast<size_t>(slot_) / 64] |= uint64_t{1} << slot_ % 64;
+    ++occupied_;
+  }
+  void take_out() {
+    slots_[static_cast<size_t>(slot_)] = -1;
+    busy_[static_cast<size_t>(slot_) / 64] &= ~(uint64_t{1} << slot_ % 64);
+    --occupied_;
+  }
+  Cycle slots_to_next() const;
   void issue(int context);
   void park(int context, HeightL1::Answer answer);
   void step(Context& ray);
@@ -152,11 +165,13 @@ class TraverseUnit {
   Cycle hits_open_from_ = 0;
   int stages_;
   std::vector<Context> contexts_;
-  std::vector<int> free_;   ///< contexts
-  std::vector<int> slots_;  ///< context in each slot, or -1
-  int occupied_ = 0;        ///< slots that hold a ray
-  int slot_ = 0;            ///< at select
-  Cycle cycle_ = 0;         ///< the next to happen
+  std::vector<int> free_;       ///< contexts
+  std::vector<int> slots_;      ///< context in each slot, or -1
+  std::vector<uint64_t> busy_;  ///< bit set: the slot holds a ray
+  int resident_ = 0;            ///< contexts that hold a ray
+  int occupied_ = 0;            ///< slots that hold a ray
+  int slot_ = 0;                ///< at select
+  Cycle cycle_ = 0;             ///< the next to happen
   Counts counts_;
 };
 

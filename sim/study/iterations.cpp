@@ -55,10 +55,9 @@ class IterationsBench : public ViewBench {
         ++unique_texels;
         unique_lines += line_seen.first_time(*texel / texels_a_line);
       }
-      records_.push_back(source->hit(k));
+      source->finish(k, records_.emplace_back());
       steps += records_.back().steps;
       per_ray.push_back(records_.back().steps);
-      source->done(k);
     }
     check_same_hits(place, records_);
     const Histogram histogram = make_histogram("steps", std::move(per_ray));

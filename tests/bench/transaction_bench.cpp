@@ -38,9 +38,10 @@ double source_seconds(const Workload& work, const Architecture& machine) {
       work.pixel_of_ray, work.width, machine.ray_dispatch.order, machine.ray_dispatch.tile_size);
   const double start = cpu_seconds();
   const auto source = make_traversal_source(work, machine, layout, order);
+  HitRecord hit;
   for (uint32_t ray = 0; ray < order.size(); ++ray) {
     source->steps(ray);
-    source->done(ray);
+    source->finish(ray, hit);
   }
   return cpu_seconds() - start;
 }
