@@ -53,7 +53,7 @@ class AdversaryCommand : public Command {
              "Tiles that a ray moves at most, along u and along v, from the slab's top to its floor")
         .range(0.001, 7.0)
         .with_default();
-    options.add_seed(options_.seed, "Another seed, another search");
+    options.add("--seed", options_.seed, "Another seed, another search").with_default();
     const Option tries = options.add("--tries", tries_, "Cases to score; the same number finds the same case")
                              .range(uint64_t{1}, uint64_t{1000000000});
     options

@@ -51,7 +51,7 @@ class MakeCommand : public Command {
     options.add("-o,--output", options_.output, "File to write: .png, .tif or .tiff").required();
     options.add("--size", size_, "Texels: 256 or 640x480, 1 to 16384 on a side; default: the kind's own");
     options.add("--bits", options_.bits, "Bits of a height, 1 to 16; default: the kind's own");
-    options.add_seed(options_.seed, "Another seed, another map of the kind");
+    options.add("--seed", options_.seed, "Another seed, another map of the kind").with_default();
     options.add_flag("--force", options_.force, "Replace a file of that name");
   }
   ExitCode run(const Session& session) override {

@@ -10,12 +10,14 @@
 namespace cuesta {
 namespace {
 
-uint64_t parse_seed(const std::string& text) {
-  uint64_t seed = 0;
+/// Not CLI11's own reading of numbers: it takes -1 for the largest number, and numbers too large as well.
+void require_whole(const std::string& option, const std::string& text) {
+  uint64_t whole = 0;
   const char* const end = text.data() + text.size();
-  const auto [stop, fault] = std::from_chars(text.data(), end, seed);
-  if (fault == std::errc{} && stop == end) return seed;
-  throw usage_error("--seed " + printable(text) + " is not accepted; accepted is a whole number from 0 to " +
+  const auto [stop, fault] = std::from_chars(text.data(), end, whole);
+  if (fault == std::errc{} && stop == end) return;
+  throw usage_error(option + " " + printable(text) +
+                    " is not accepted; accepted is a whole number from 0 to " +
                     std::to_string(std::numeric_limits<uint64_t>::max()) + ".");
 }
 
@@ -40,7 +42,12 @@ Option Options::add(const std::string& names, int64_t& value, const std::string&
   return Option(app_.add_option(names, value, meaning));
 }
 Option Options::add(const std::string& names, uint64_t& value, const std::string& meaning) {
-  return Option(app_.add_option(names, value, meaning));
+  CLI::Option* const option = app_.add_option(names, value, meaning);
+  option->check([names](const std::string& text) {
+    require_whole(names, text);
+    return std::string();
+  });
+  return Option(option);
 }
 Option Options::add(const std::string& names, double& value, const std::string& meaning) {
   return Option(app_.add_option(names, value, meaning));
@@ -58,14 +65,6 @@ Option Options::add(const std::string& names, std::vector<std::string>& value, c
 }
 Option Options::add_flag(const std::string& names, bool& value, const std::string& meaning) {
   return Option(app_.add_flag(names, value, meaning));
-}
-
-Option Options::add_seed(uint64_t& seed, const std::string& meaning) {
-  // Not CLI11's own reading of numbers: it takes -1 for the largest number, and numbers too large as well.
-  return Option(app_.add_option_function<std::string>(
-                        "--seed", [&seed](const std::string& text) { seed = parse_seed(text); }, meaning)
-                    ->type_name("UINT")
-                    ->default_str(std::to_string(seed)));
 }
 
 }  // namespace cuesta

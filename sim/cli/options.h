@@ -45,6 +45,8 @@ class Options {
   Option add(const std::string& names, std::string& value, const std::string& meaning);
   Option add(const std::string& names, int& value, const std::string& meaning);
   Option add(const std::string& names, int64_t& value, const std::string& meaning);
+  /// Anything but a whole number of 64 bits, -1 and larger ones among it, is refused with
+  /// usage_error when the line is read.
   Option add(const std::string& names, uint64_t& value, const std::string& meaning);
   Option add(const std::string& names, double& value, const std::string& meaning);
   Option add(const std::string& names, std::optional<int>& value, const std::string& meaning);
@@ -52,9 +54,6 @@ class Options {
   /// With dashes: one value each time that the option is given; without: several in a row.
   Option add(const std::string& names, std::vector<std::string>& value, const std::string& meaning);
   Option add_flag(const std::string& names, bool& value, const std::string& meaning);
-  /// "--seed": a whole number of 64 bits, shown with its default. Anything else, -1 and numbers beyond 64 bits among it,
-  /// is refused with usage_error when the line is read.
-  Option add_seed(uint64_t& seed, const std::string& meaning);
 
  private:
   CLI::App& app_;

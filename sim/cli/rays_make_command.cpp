@@ -27,7 +27,7 @@ class MakeCommand : public Command {
     options.add("kind", set_.kind, kinds).required();
     options.add("-o,--output", output_, "File to write: .rays, or .csv for text").required();
     options.add("--count", set_.count, "Rays: 1 to 2^28").with_default();
-    options.add_seed(set_.seed, "Another seed, other rays");
+    options.add("--seed", set_.seed, "Another seed, other rays").with_default();
     options
         .add("--tile-bits", set_.tile_bits,
              "traverse.tile_bits of the machine that shall take them: no ray starts beyond 2^tile-bits tiles")

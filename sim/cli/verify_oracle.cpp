@@ -64,7 +64,7 @@ class VerifyOracleCommand : public Command {
              "Rays over bilinear surfaces whose answer is held against exact arithmetic")
         .range(int64_t{0}, int64_t{1000000000})
         .with_default();
-    options.add_seed(seed_, "Seed of maps and rays");
+    options.add("--seed", seed_, "Seed of maps and rays").with_default();
     options.add("--max-side", max_side_, "Longest side of a map, texels").range(1, 1024).with_default();
     options.add("--threads", threads_, "Threads that share the work; the counts do not depend on them")
         .range(1, 256)

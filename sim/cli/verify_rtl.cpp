@@ -41,7 +41,8 @@ class VerifyRtlCommand : public Command {
         options
             .add("--ray-count", ray_count_, "Random machines: until so many rays, in the place of --seconds")
             .range(int64_t{1}, int64_t{1000000000000});
-    seed_option_ = options.add_seed(seed_, "Random machines: seed of the first; the next has the next");
+    seed_option_ = options.add("--seed", seed_, "Random machines: seed of the first; the next has the next")
+                       .with_default();
     sets_option_ = options.add(
         "--sets", sets_, "Random machines: only of these compiled sets, joined by commas; default: all");
     options
