@@ -21,6 +21,29 @@ MachineFacts facts_of(const Architecture& a, Fidelity fidelity, int texel_bytes)
   return facts;
 }
 
+std::string said(const HitRecord& hit) {
+  if (hit.status != HitStatus::kHit) return "misses after " + std::to_string(hit.steps) + " steps";
+  return "hits cell (" + std::to_string(hit.i) + ", " + std::to_string(hit.j) + ") at time " +
+         std::to_string(hit.t) + ", face " + std::to_string(static_cast<int>(hit.face)) + ", after " +
+         std::to_string(hit.steps) + " steps";
+}
+
+/// Hardware's records against the value of the walk, which the model's machine has by construction: the hardware may be
+/// anybody's. Throws Error(kMismatch) for the first that differs.
+void check_hardware(const Workload& work, const Architecture& architecture,
+                    const std::vector<HitRecord>& hits, const std::string& run_name) {
+  const std::vector<HitRecord> right = run_functional(work, architecture).hits;
+  for (size_t k = 0; k < hits.size(); ++k) {
+    if (hits[k] == right[k]) continue;
+    const uint32_t pixel = work.pixel_of_ray[k], width = static_cast<uint32_t>(work.width);
+    throw Error(ExitCode::kMismatch, run_name + ": the hardware's record of ray " + std::to_string(k) +
+                                         ", pixel (" + std::to_string(pixel % width) + ", " +
+                                         std::to_string(pixel / width) + "), is wrong: there the ray " +
+                                         said(hits[k]) + ", in the model it " + said(right[k]) +
+                                         ". `cuesta verify rtl` finds where they part.");
+  }
+}
+
 }  // namespace
 
 std::string_view name_of(Fidelity fidelity) {
@@ -154,6 +177,11 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
       throw Error(ExitCode::kMismatch, "The accounting of " + run_name + " over scene " + entry.scene + " (" +
                                            entry.fidelity + ") breaks " + std::to_string(broken.size()) +
                                            " of its laws; the first: " + broken.front());
+    }
+    const UnitParameters& units = architecture.units;
+    if (fidelity != Fidelity::kFunctional &&
+        (units.hmt_top == Implementation::kRtl || units.traverse == Implementation::kRtl)) {
+      check_hardware(work, architecture, outcome.hits, run_name);
     }
     if (!work.search) check_same_hits(outcome.hits, architecture, work.schedule.stop_level, run_name);
   }

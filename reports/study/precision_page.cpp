@@ -252,8 +252,8 @@ std::string of_mantissa(const StudyTable& table, int mantissa) {
     }
     if (most == 0) continue;
     text += fmt::format("{}{} bits: ", text.empty() ? "" : "; ", bits);
-    text += least < most ? fmt::format("{} to {} LSB by size", significant(least, 2), significant(most, 2))
-                         : significant(most, 2) + " LSB";
+    const std::string low = significant(least, 2), high = significant(most, 2);
+    text += low != high ? fmt::format("{} to {} LSB by size", low, high) : high + " LSB";
   }
   return text.empty() ? "not in these data" : text;
 }

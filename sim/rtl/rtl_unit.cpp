@@ -58,6 +58,14 @@ Error RtlUnit::no_such_ray(uint32_t number) const {
   return wrong("works on ray " + std::to_string(number) + " of " + std::to_string(site_.order.size()));
 }
 
+Error RtlUnit::goes_nowhere(uint32_t number) const {
+  return {ExitCode::kNoProgress, name_ + "[" + std::to_string(site_.pipeline) + "] has given ray " +
+                                     std::to_string(number) + " more than " +
+                                     std::to_string(site_.watchdog.limit) +
+                                     " slots (machine.no_progress_cycles) by cycle " +
+                                     std::to_string(cycle_) + ", and it has not ended."};
+}
+
 void RtlUnit::retire(HitRecord record, Cycle sent) {
   site_.writer.advance(cycle_);
   const auto number = static_cast<uint32_t>(record.ray_id);

@@ -65,19 +65,24 @@ class RtlUnit : public HmtUnit {
     return site_.dispatch.queue(site_.pipeline).empty() && site_.dispatch.all_sent() &&
            site_.dispatch.last_sent() < cycle_;
   }
-  /// Throws Error(kMismatch) for a ray that there is not: the hardware may be anybody's.
+  /// Throws Error(kMismatch) for a ray that there is not, Error(kNoProgress) for one that has used more slots than the
+  /// watchdog waits cycles: the hardware may be anybody's.
   void count_slot(HmtTopPort::Slot slot, uint32_t number) {
     using Slot = HmtTopPort::Slot;
     if (slot == Slot::kBubble || slot == Slot::kStall) return;
     if (number >= site_.order.size()) throw no_such_ray(number);
     RayTiming& timing = site_.timing[site_.order[number]];
     in_context_ += timing.issue_slots++ == 0;
+    if (timing.issue_slots > site_.watchdog.limit) [[unlikely]]
+      throw goes_nowhere(number);
     timing.misses += slot == Slot::kMiss;
     if (slot == Slot::kStep || slot == Slot::kDead) site_.watchdog.last_progress = cycle_;
   }
   /// Error(kMismatch): "traverse[0] sends ray 7 in cycle 12, which is not inside."
   Error wrong(const std::string& what) const;
   Error no_such_ray(uint32_t number) const;
+  /// Error(kNoProgress): steps without an end are no progress.
+  Error goes_nowhere(uint32_t number) const;
   /// The hit stream's transfer of this cycle; the record has the ray's number as its id. `sent`: by ray_dispatch.
   void retire(HitRecord record, Cycle sent);
   const MachineRay& ray(uint32_t number) const { return job_.work.rays[site_.order[number]]; }

@@ -92,6 +92,11 @@ class VerilatedUnit : public Port {
   VerilatedUnit& operator=(const VerilatedUnit&) = delete;
 
   void clock() override {
+#ifdef CUESTA_RTL_WAVES
+    // The cycle as it stands at its end, however often it was evaluated.
+    if (waves_) [[unlikely]]
+      waves_->dump(time_);
+#endif
     rtl_->clk_i = 1;
     if constexpr (kEdgeIsAll) {
       if (regions_.edge != nullptr && regions_.inputs != nullptr && started_ && !waves_open()) {
@@ -153,10 +158,6 @@ class VerilatedUnit : public Port {
       }
     }
     evaluate_all();
-#ifdef CUESTA_RTL_WAVES
-    if (waves_) [[unlikely]]
-      waves_->dump(time_);
-#endif
   }
 #ifdef CUESTA_RTL_WAVES
   bool waves_open() const { return waves_ != nullptr; }

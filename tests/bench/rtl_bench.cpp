@@ -115,12 +115,12 @@ void run(benchmark::State& state, Case& c, bool rtl) {
 
 void print_table(const std::vector<Case>& cases) {
   std::printf("\nSimulated Mcycles/s of one thread, hmt_top as mobile, no waves\n");
-  std::printf("%-24s %10s %8s %8s %7s\n", "workload", "cycles", "model", "RTL", "ratio");
+  std::printf("%-24s %10s %8s %8s %10s\n", "workload", "cycles", "model", "RTL", "model/RTL");
   std::vector<double> ratios;
   double slowest = 0;
   for (const Case& c : cases) {
     if (c.cycles_per_second[0] == 0 || c.cycles_per_second[1] == 0) continue;  // filtered out, or failed
-    std::printf("%-24s %10lld %8.2f %8.2f %7.2f\n", c.name().c_str(), static_cast<long long>(c.cycles),
+    std::printf("%-24s %10lld %8.2f %8.2f %10.2f\n", c.name().c_str(), static_cast<long long>(c.cycles),
                 c.cycles_per_second[0] / 1e6, c.cycles_per_second[1] / 1e6, c.ratio());
     ratios.push_back(c.ratio());
     if (slowest == 0 || c.cycles_per_second[1] < slowest) slowest = c.cycles_per_second[1];
@@ -128,7 +128,7 @@ void print_table(const std::vector<Case>& cases) {
   if (ratios.empty()) return;
   std::sort(ratios.begin(), ratios.end());
   const size_t n = ratios.size();
-  std::printf("ratio: median %.2f, worst %.2f; slowest RTL %.2f Mcycles/s\n",
+  std::printf("model/RTL: median %.2f, worst %.2f; slowest RTL %.2f Mcycles/s\n",
               (ratios[(n - 1) / 2] + ratios[n / 2]) / 2, ratios.front(), slowest / 1e6);
 }
 

@@ -151,6 +151,34 @@ TEST(Measurer, ASearchWithManyStepsIsRarelyWrongAndWithFewOften) {
   EXPECT_LT(many, few / 4);
 }
 
+TEST(Measurer, HardwareThatReturnsAWrongRecordEndsTheRunWithItsPixel) {
+  const Job job = job_on(32, 32, AddressMode::kWrap);
+  int wrong_ray = -1;
+  Measurer measurer(job, [&](const Workload& work, std::span<const TracedRay>, const Architecture& machine,
+                             const Progress& progress) {
+    Architecture model = machine;
+    model.units = {};
+    Outcome outcome = run_cycle(work, model, progress);
+    if (wrong_ray >= 0) outcome.hits[static_cast<size_t>(wrong_ray)].t ^= 1;
+    return outcome;
+  });
+  Architecture machine;
+  machine.units.hmt_top = Implementation::kRtl;
+  EXPECT_NO_THROW(measurer.run(*find_algorithm("yun2013"), machine, Fidelity::kCycle));
+  wrong_ray = 123;
+  try {
+    measurer.run(*find_algorithm("yun2013"), machine, Fidelity::kCycle);
+    ADD_FAILURE() << "the wrong record went unnoticed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::kMismatch);
+    const std::string text = error.what();
+    const uint32_t pixel = job.pixel_of_ray[123], width = static_cast<uint32_t>(job.trace.width);
+    const std::string place =
+        "(" + std::to_string(pixel % width) + ", " + std::to_string(pixel / width) + ")";
+    EXPECT_NE(text.find("record of ray 123, pixel " + place), std::string::npos) << text;
+  }
+}
+
 TEST(Measurer, AScheduleAskedOfASearchIsRefused) {
   const Job job = job_on(16, 16, AddressMode::kWrap);
   Measurer measurer(job);
