@@ -51,13 +51,13 @@ struct Leaf {
                     joined(views) + (near.empty() ? "." : near));
 }
 
-/// The words of the command line that are no options: the verb, perhaps misspelt.
-void check_verb(CLI::App& program, int count, const char* const* arguments) {
+/// The words of the command line that are no options: the verb, perhaps misspelt. Gives what the options are of.
+CLI::App& check_verb(CLI::App& program, int count, const char* const* arguments) {
   CLI::App* app = &program;
   for (int k = 1; k < count && !app->get_subcommands({}).empty(); ++k) {
     const std::string word = arguments[k];
     if (word == "-q" || word == "--quiet") continue;
-    if (word.starts_with("-")) return;
+    if (word.starts_with("-")) return *app;
     CLI::App* next = nullptr;
     for (CLI::App* verb : app->get_subcommands({})) {
       if (verb->get_name() == word) next = verb;
@@ -66,6 +66,37 @@ void check_verb(CLI::App& program, int count, const char* const* arguments) {
     app = next;
   }
   if (!app->get_subcommands({}).empty()) refuse_unknown_verb(*app, "");
+  return *app;
+}
+
+/// CLI11 takes the next word for the value of `--name=`, and `=x` for that of `-o=x`.
+void check_equals_signs(const CLI::App& app, int count, const char* const* arguments) {
+  for (int k = 1; k < count; ++k) {
+    const std::string word = arguments[k];
+    if (word == "--") return;
+    const size_t equals = word.find('=');
+    if (!word.starts_with("-") || equals == std::string::npos) continue;
+    const std::string name = word.substr(0, equals);
+    const bool is_long = name.starts_with("--");
+    if (!is_long && name.size() != 2) continue;
+    const CLI::Option* option = app.get_option_no_throw(name);
+    if (!option) continue;
+    const bool flag = option->get_items_expected_max() == 0;
+    if (!is_long) {
+      const std::string value = word.substr(equals + 1);
+      throw usage_error("`" + printable(word) + "`: an equals sign stands only behind a long name; write `" +
+                        name + (flag ? "" : " " + (value.empty() ? "VALUE" : printable(value))) + "`.");
+    }
+    if (equals + 1 < word.size()) continue;
+    throw usage_error("`" + printable(word) + "` has no value; accepted is " +
+                      (flag ? "" : "one right behind the equals sign, or to leave ") + "`" + name + "`" +
+                      (flag ? " alone." : " out."));
+  }
+}
+
+/// Of the help of what has verbs.
+std::string closing_sentence(const std::string& words) {
+  return "`" + words + " VERB --help` says more, with an example.\n" + kExitCodes;
 }
 
 CLI::App* app_of(CLI::App& program, const Verb& verb, std::map<std::string, CLI::App*>& groups) {
@@ -78,6 +109,7 @@ CLI::App* app_of(CLI::App& program, const Verb& verb, std::map<std::string, CLI:
     parent = program.add_subcommand(group, std::string(group_sentence(group)));
     parent->require_subcommand(1);
     parent->failure_message(CLI::FailureMessage::simple);
+    parent->footer(closing_sentence("cuesta " + group));
   }
   return parent->add_subcommand(name.substr(space + 1), std::string(verb.sentence));
 }
@@ -90,7 +122,7 @@ int run_command_line(int count, const char* const* arguments) {
   program.require_subcommand(1);
   program.set_version_flag("--version",
                            "cuesta " + std::string(build.version) + " (" + std::string(build.commit) + ")");
-  program.footer(std::string("`cuesta options --help` says more, with an example.\n") + kExitCodes);
+  program.footer(closing_sentence("cuesta"));
 
   Session session;
   program.add_flag("-q,--quiet", session.quiet, "No progress and no remarks; also after the verb");
@@ -108,7 +140,7 @@ int run_command_line(int count, const char* const* arguments) {
     leaves.back().command->declare(options);
   }
 
-  check_verb(program, count, arguments);
+  check_equals_signs(check_verb(program, count, arguments), count, arguments);
   try {
     program.parse(count, arguments);
   } catch (const CLI::Success& success) {  // --help, --version

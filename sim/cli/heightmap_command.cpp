@@ -29,6 +29,11 @@ bool parse_number(std::string_view text, Number& value) {
   return fault == std::errc() && end == text.data() + text.size();
 }
 
+void check_bits(int bits) {
+  if (bits < 1 || bits > 16)
+    throw usage_error("--bits " + std::to_string(bits) + " is not accepted; 1 to 16 bits are.");
+}
+
 std::string kind_list() {
   std::string list = "Kind of map:";
   for (const MapKind& kind : map_kinds()) list += fmt::format("\n{}: {}", kind.name, kind.meaning);
@@ -50,12 +55,14 @@ class MakeCommand : public Command {
     options.add("kind", options_.kind, kind_list()).required();
     options.add("-o,--output", options_.output, "File to write: .png, .tif or .tiff").required();
     options.add("--size", size_, "Texels: 256 or 640x480, 1 to 16384 on a side; default: the kind's own");
-    options.add("--bits", options_.bits, "Bits of a height, 1 to 16; default: the kind's own");
+    options.add("--bits", bits_, "Bits of a height, 1 to 16; default: the kind's own");
     options.add("--seed", options_.seed, "Another seed, another map of the kind").with_default();
     options.add_flag("--force", options_.force, "Replace a file of that name");
   }
   ExitCode run(const Session& session) override {
     if (!size_.empty()) parse_map_size(size_, options_.width, options_.height);
+    if (bits_) check_bits(*bits_);
+    options_.bits = bits_.value_or(0);
     std::string line = heightmap_make(options_, watch_of(session, "making"), watch_of(session, "writing"));
     if (!session.quiet) std::fprintf(stderr, "%s\n", line.c_str());
     return ExitCode::kOk;
@@ -63,6 +70,7 @@ class MakeCommand : public Command {
 
  private:
   HeightmapMakeOptions options_;
+  std::optional<int> bits_;
   std::string size_;
 };
 
@@ -90,9 +98,7 @@ class InfoCommand : public Command {
   ExitCode run(const Session&) override {
     source_.invert = parse_depth(values_, "--values");
     source_.normalisation = parse_normalisation(normalise_, "--normalise");
-    if (bits_ && (*bits_ < 1 || *bits_ > 16)) {
-      throw usage_error("--bits " + std::to_string(*bits_) + " is not accepted; 1 to 16 bits are.");
-    }
+    if (bits_) check_bits(*bits_);
     source_.bits = bits_.value_or(0);
     if (!range_.empty()) {
       if (normalise_ != "auto") {
@@ -153,9 +159,7 @@ std::string heightmap_make(const HeightmapMakeOptions& options, const Watch& mak
     throw usage_error("There is no folder " + printable(folder.string(), 200) +
                       " to write the map into; accepted: a name in a folder that is there.");
   }
-  if (options.bits < 0) {
-    throw usage_error("--bits " + std::to_string(options.bits) + " is not accepted; 1 to 16 bits are.");
-  }
+  if (options.bits != 0) check_bits(options.bits);
   const MapKind* kind = find_map_kind(options.kind);
   if (kind != nullptr) {
     check_map_memory(options.width > 0 ? options.width : kind->width,

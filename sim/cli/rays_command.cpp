@@ -88,10 +88,24 @@ class ConvertCommand : public Command {
  public:
   void declare(Options& options) override {
     options.add("from", from_, "File to read: text if its name ends in .csv, else .rays").required();
-    options.add("to,-o,--output", to_, "File to write: .rays, or .csv for text").required();
+    to_option_ = options.add(
+        "to", to_,
+        "File to write: .rays, or .csv for text; named here or with -o; exactly one of them is needed");
+    output_option_ = options.add("-o,--output", output_,
+                                 "The file to write, in the place of the name after the first one");
     options.add_flag("--force", force_, "Replace a file of that name");
   }
   ExitCode run(const Session& session) override {
+    const bool by_place = to_option_.count() > 0, by_name = output_option_.count() > 0;
+    if (by_place && by_name) {
+      throw usage_error("Two files to write are given, " + printable(to_, 200) + " and -o " +
+                        printable(output_, 200) + "; accepted is one of the two.");
+    }
+    if (!by_place && !by_name) {
+      throw usage_error(
+          "No file to write is given; accepted is its name after that of the file to read, or -o NAME.");
+    }
+    if (by_name) to_ = output_;
     check_ray_file_name(to_);
     refuse_existing(to_, force_);
     const RayTrace trace = read_ray_file(from_, watched(session, "reading", 0));
@@ -101,7 +115,8 @@ class ConvertCommand : public Command {
   }
 
  private:
-  std::string from_, to_;
+  std::string from_, to_, output_;
+  Option to_option_, output_option_;
   bool force_ = false;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 
 #include "models/common/words.h"
 #include "sim/cli/options.h"
@@ -108,10 +109,28 @@ std::optional<double> in_range(const char* option, std::optional<double> value, 
                     shortest_text(low) + " to " + shortest_text(high) + ".");
 }
 
+/// "r.png:bits=12", where a channel's name stands.
+void refuse_key_for_channel(const std::string& text) {
+  static constexpr std::string_view kKeys[] = {"values=", "bits=", "normalise=", "range=", "nodata=", "raw="};
+  std::error_code ignored;
+  if (std::filesystem::exists(text, ignored)) return;
+  for (const std::string_view key : kKeys) {
+    const size_t colon = text.find(":" + std::string(key));
+    if (colon == std::string::npos) continue;
+    std::string meant = text;
+    meant[colon] = ',';
+    throw usage_error(
+        "--heightmap " + printable(text, 200) +
+        ": behind a colon stands a channel's name, and keys stand behind commas; did you mean " +
+        printable(meant, 200) + "?");
+  }
+}
+
 }  // namespace
 
 SceneChanges scene_changes(const RunOptions& options) {
   SceneChanges changes;
+  refuse_key_for_channel(options.heightmap);
   changes.heightmap = options.heightmap;
   changes.rays_file = options.rays_file;
   changes.angle_degrees = in_range("--angle", options.angle_degrees, 0, 89.9);
@@ -122,13 +141,16 @@ SceneChanges scene_changes(const RunOptions& options) {
   return changes;
 }
 
-std::vector<std::string> split_at_commas(const std::vector<std::string>& texts) {
+std::vector<std::string> split_at_commas(const std::vector<std::string>& texts, const char* option) {
   std::vector<std::string> parts;
   for (const std::string& text : texts) {
-    for (size_t start = 0; start <= text.size();) {
-      const size_t comma = std::min(text.find(',', start), text.size());
-      if (comma > start) parts.push_back(text.substr(start, comma - start));
-      start = comma + 1;
+    for (const std::string_view part : split(text, ',')) {
+      if (part.empty()) {
+        throw usage_error(std::string(option) + " " + printable(text, 200) +
+                          (text.empty() ? " names nothing" : " names nothing before or behind a comma") +
+                          "; accepted are names with one comma between each two.");
+      }
+      parts.emplace_back(part);
     }
   }
   return parts;
@@ -171,6 +193,23 @@ void refuse_comma_inside(const std::string& before, const std::string& name) {
                     printable(joined, 200) + (number ? "." : " for one with that ending."));
 }
 
+/// "root,common,never": where parts[k], no algorithm, becomes a schedule with what stands after the next commas.
+void refuse_commas_for_colons(const std::vector<std::string>& parts, size_t k) {
+  if (is_accepted(parts[k])) return;
+  std::string schedule = parts[k], found = parts[k], longest, longest_found;
+  for (size_t next = k + 1; next < parts.size(); ++next) {
+    schedule += ":" + parts[next];
+    found += "," + parts[next];
+    if (!is_accepted(schedule)) continue;
+    longest = schedule;
+    longest_found = found;
+  }
+  if (longest.empty()) return;
+  throw usage_error("`" + printable(longest_found, 200) +
+                    "`: at a comma the next algorithm begins, and a schedule has colons; accepted is " +
+                    printable(longest, 200) + ".");
+}
+
 /// Names that stand for several algorithms are known here alone: where one is meant, before parse_algorithm.
 void refuse_groups_misspelt(const std::string& name) {
   const std::vector<std::string_view> words = split(name, '+');
@@ -206,7 +245,7 @@ void refuse_groups_misspelt(const std::string& name) {
 }  // namespace
 
 std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names) {
-  std::vector<std::string> parts = split_at_commas(names);
+  std::vector<std::string> parts = split_at_commas(names, "--algorithm");
   if (parts.empty()) parts.emplace_back("all");
   std::vector<Algorithm> found;
   const auto add = [&](const Algorithm& algorithm) {
@@ -224,6 +263,7 @@ std::vector<Algorithm> parse_algorithms(const std::vector<std::string>& names) {
       continue;
     }
     if (k > 0) refuse_comma_inside(parts[k - 1], parts[k]);
+    refuse_commas_for_colons(parts, k);
     refuse_groups_misspelt(parts[k]);
     add(parse_algorithm(parts[k]));
   }
@@ -234,7 +274,7 @@ std::vector<ResolvedArchitecture> parse_architectures(const std::vector<std::str
                                                       const std::vector<std::string>& settings,
                                                       Fidelity fidelity) {
   std::vector<ResolvedArchitecture> found;
-  for (const std::string& name : split_at_commas(names)) {
+  for (const std::string& name : split_at_commas(names, "--arch")) {
     found.push_back(resolve_architecture(name, settings, fidelity != Fidelity::kFunctional));
     if (fidelity == Fidelity::kTransaction) check_loosely_timed(found.back().architecture);
     if (fidelity == Fidelity::kRtl) {

@@ -56,7 +56,7 @@ void check_searches(const std::vector<Algorithm>& algorithms,
 /// The scene to use: `named`, or the built-in `default` where only a height map is given. Throws usage_error.
 std::string scene_or_default(const std::string& named, const RunOptions& options);
 
-/// "a,b", "c" -> a, b, c.
-std::vector<std::string> split_at_commas(const std::vector<std::string>& texts);
+/// "a,b", "c" -> a, b, c. Throws usage_error for a name that is empty; `option` ("--arch") is for its sentence.
+std::vector<std::string> split_at_commas(const std::vector<std::string>& texts, const char* option);
 
 }  // namespace cuesta

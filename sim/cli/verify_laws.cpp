@@ -25,7 +25,8 @@ class VerifyLawsCommand : public Command {
       throw usage_error("--size is " + std::to_string(size_) +
                         "; accepted is a whole number from 1 to 1024.");
     }
-    std::vector<std::string> scenes = split_at_commas(scenes_), machines = split_at_commas(machines_);
+    std::vector<std::string> scenes = split_at_commas(scenes_, "--scene"),
+                             machines = split_at_commas(machines_, "--arch");
     if (scenes.empty()) {
       for (const BuiltInScene& scene : built_in_scenes()) scenes.emplace_back(scene.name);
     }

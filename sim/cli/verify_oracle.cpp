@@ -72,6 +72,12 @@ class VerifyOracleCommand : public Command {
   }
 
   ExitCode run(const Session& session) override {
+    if (rays_ == 0 && precision_rays_ == 0 && bilinear_rays_ == 0 && bilinear_exact_rays_ == 0) {
+      throw usage_error(
+          "--rays, --precision-rays, --bilinear-rays and --bilinear-exact-rays are all 0, which leaves "
+          "nothing to "
+          "check; accepted is more than 0 for one of them at least.");
+    }
     const TraversalCheck counts = check_traversals(session);
     if (rays_ > 0) print(counts);
     if (!counts.passed()) {

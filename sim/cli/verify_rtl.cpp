@@ -45,10 +45,11 @@ class VerifyRtlCommand : public Command {
                        .with_default();
     sets_option_ = options.add(
         "--sets", sets_, "Random machines: only of these compiled sets, joined by commas; default: all");
-    options
-        .add("--workers", workers_, "Random machines that run at a time; what is found does not depend on it")
-        .range(1, 256)
-        .with_default();
+    workers_option_ = options
+                          .add("--workers", workers_,
+                               "Random machines that run at a time; what is found does not depend on it")
+                          .range(1, 256)
+                          .with_default();
     options.add("--rays", options_.rays_file,
                 "Rays from a .rays or .csv file, over the scene's heights (default's without one)");
     options.add("--heightmap", options_.heightmap, "Heights from an image, as `cuesta run` takes them");
@@ -69,10 +70,10 @@ class VerifyRtlCommand : public Command {
     options.add("--memory", memory_,
                 "With a scene: SEED:LEAST,MOST,GAP: rays come up to GAP cycles apart, memory answers "
                 "after LEAST to MOST cycles, in any order");
-    options
-        .add("--register-seed", register_seed_,
-             "With a scene: what registers without a reset begin with; 0: zeros")
-        .range(0, 1 << 30);
+    register_seed_option_ = options
+                                .add("--register-seed", register_seed_,
+                                     "With a scene: what registers without a reset begin with; 0: zeros")
+                                .range(0, 1 << 30);
     options.add("-o,--output", options_.folder,
                 "New folder for the smallest failing case; default: the next free results/verify-rtl-NNN");
   }
@@ -81,7 +82,10 @@ class VerifyRtlCommand : public Command {
     sides_ = rtl_sides(parse_hardware_unit(unit_));
     const bool own = !scene_.empty() || !options_.heightmap.empty() || !options_.rays_file.empty();
     refuse_unused(own);
-    if (!options_.folder.empty()) folder_.emplace(open_result_folder(options_, ""));  // known before the work
+    if (!options_.folder.empty()) {  // known before the work
+      refuse_existing_folder();
+      folder_.emplace(open_result_folder(options_, ""));
+    }
     return own ? compare_own(session) : compare_random(session);
   }
 
@@ -97,19 +101,35 @@ class VerifyRtlCommand : public Command {
     }
   };
 
+  /// Nothing here replaces an older folder, as `cuesta run` does when it is told to.
+  void refuse_existing_folder() const {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::file_type type = fs::symlink_status(options_.folder, ignored).type();
+    if (type == fs::file_type::none || type == fs::file_type::not_found) return;
+    if (type == fs::file_type::directory && fs::is_empty(options_.folder, ignored)) return;
+    throw usage_error("-o " + printable(options_.folder, 200) +
+                      " exists and stays as it is; accepted is the name of a new folder or an empty one.");
+  }
+
   /// An option that this run does not use is an error.
   void refuse_unused(bool own) const {
     const std::pair<const char*, bool> of_random[] = {{"--seconds", seconds_option_.count() > 0},
                                                       {"--ray-count", count_option_.count() > 0},
                                                       {"--seed", seed_option_.count() > 0},
-                                                      {"--sets", sets_option_.count() > 0}};
+                                                      {"--sets", sets_option_.count() > 0},
+                                                      {"--workers", workers_option_.count() > 0}};
     const std::pair<const char*, bool> of_own[] = {{"--algorithm", algorithm_option_.count() > 0},
                                                    {"--arch", architecture_option_.count() > 0},
                                                    {"--set", !options_.settings.empty()},
                                                    {"--size", !options_.size.empty()},
                                                    {"--crop", !options_.crop.empty()},
                                                    {"--stalls", !stalls_.empty()},
-                                                   {"--memory", !memory_.empty()}};
+                                                   {"--memory", !memory_.empty()},
+                                                   {"--register-seed", register_seed_option_.count() > 0}};
+    if (seconds_option_.count() > 0 && count_option_.count() > 0) {
+      throw usage_error("--seconds and --ray-count both say when to stop; accepted is one of the two.");
+    }
     for (const auto& [option, given] : of_random) {
       if (own && given)
         throw usage_error(std::string(option) +
@@ -170,7 +190,7 @@ class VerifyRtlCommand : public Command {
   }
 
   ExitCode compare_random(const Session& session) {
-    const std::vector<rtl::RtlSet> sets = compiled_sets(split_at_commas(sets_));
+    const std::vector<rtl::RtlSet> sets = compiled_sets(split_at_commas(sets_, "--sets"));
     const HardwareUnit unit = parse_hardware_unit(unit_);
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::seconds(seconds_);
@@ -257,7 +277,8 @@ class VerifyRtlCommand : public Command {
   uint64_t seed_ = 1;
   int workers_ = 1;
   int register_seed_ = 0;
-  Option seconds_option_, count_option_, seed_option_, sets_option_, algorithm_option_, architecture_option_;
+  Option seconds_option_, count_option_, seed_option_, sets_option_, workers_option_, algorithm_option_,
+      architecture_option_, register_seed_option_;
   std::optional<ResultFolder> folder_;  ///< of -o
   std::array<LockstepSide, 2> sides_;
   size_t sets_compared_ = 0;

@@ -86,27 +86,38 @@ void WaveOptions::declare(Options& options) {
       "With hardware (--fidelity rtl): the signals of one pipeline into an FST file, for GTKWave or Surfer");
   options.add("--waves-cycles", cycles, "FIRST:LAST cycle of the waves; default: the first 1000");
   options.add("--waves-pixel", pixel, "X,Y: from dispatch to completion of this pixel's rays");
-  options.add("--waves-pipeline", pipeline, "Whose hardware; with --waves-pixel: the pixel's")
-      .range(0, std::numeric_limits<int>::max());
+  pipeline_option = options
+                        .add("--waves-pipeline", pipeline,
+                             "Whose hardware; not with --waves-pixel, which is shown in the pixel's")
+                        .range(0, std::numeric_limits<int>::max());
 }
 
 void WaveOptions::check() const {
   if (!wanted()) {
-    if (!cycles.empty() || !pixel.empty() || pipeline != 0)
+    if (!cycles.empty() || !pixel.empty() || pipeline_option.count() > 0)
       throw usage_error("--waves-cycles, --waves-pixel and --waves-pipeline need --waves FILE.fst.");
     return;
   }
   if (!cycles.empty() && !pixel.empty())
     throw usage_error("--waves-cycles and --waves-pixel: accepted is one of the two.");
+  if (!pixel.empty() && pipeline_option.count() > 0) {
+    throw usage_error(
+        "--waves-pixel and --waves-pipeline: accepted is one of the two; a pixel is shown in its own "
+        "pipeline.");
+  }
   if (!cycles.empty()) cycles_of(*this);
   if (!pixel.empty()) pixel_of(*this);
   if (!file.ends_with(".fst"))
     throw usage_error("--waves " + printable(file) + ": accepted is a file whose name ends in .fst.");
-  std::error_code ignored;
-  if (std::filesystem::symlink_status(file, ignored).type() != std::filesystem::file_type::not_found) {
-    throw usage_error("--waves " + printable(file) +
-                      ": it exists, or its folder cannot be read; accepted is a new file.");
+  std::error_code fault;
+  const std::filesystem::file_type type = std::filesystem::symlink_status(file, fault).type();
+  if (type == std::filesystem::file_type::not_found) return;
+  if (type == std::filesystem::file_type::none) {  // a name too long, no permission
+    throw usage_error("--waves " + printable(file, 200) + " cannot be written: " + fault.message() +
+                      "; accepted is a new file in a folder that can be written.");
   }
+  throw usage_error("--waves " + printable(file, 200) +
+                    " exists and stays as it is; accepted is a new file.");
 }
 
 CycleRunner wave_runner(const WaveOptions& options, bool quiet) {

@@ -2,11 +2,10 @@
 
 #include <string>
 
+#include "sim/cli/options.h"
 #include "sim/measure.h"
 
 namespace cuesta {
-
-class Options;
 
 /// Options for the signals of hardware.
 struct WaveOptions {
@@ -14,6 +13,7 @@ struct WaveOptions {
   std::string cycles;  ///< "1000:1200"
   std::string pixel;   ///< "17,33"
   int pipeline = 0;
+  Option pipeline_option;
 
   void declare(Options& options);
   bool wanted() const { return !file.empty(); }

@@ -225,5 +225,65 @@ TEST_F(BrokenInput, RaysThatAreNoNumbersEndWithThree) {
   expect_refusal(run_rays(text.replace(direction, 1, "1e999"), "in.csv"), 3, "in.csv", "huge");
 }
 
+TEST_F(BrokenInput, WordsThatContradictOrSayNothingEndWithTwoBeforeTheWork) {
+  write("there.fst", "mine");
+  const struct {
+    Words words;
+    const char* part;
+  } cases[] = {
+      {{"run", "default", "--algorithm=", "--fidelity", "functional"}, "`--algorithm=` has no value"},
+      {{"verify", "oracle", "--seed=", "--rays", "10"}, "`--seed=` has no value"},
+      {{"run", "default", "--json="}, "`--json=` has no value; accepted is `--json` alone."},
+      {{"trace", "default", "-o=a.rays"}, "write `-o a.rays`."},
+      {{"trace", "default", "-o=", "a.rays"}, "write `-o VALUE`."},
+      {{"trace", "default", "-q=1", "-o", "a.rays"}, "write `-q`."},
+      {{"run", "default", "--algoritm=", "dda"}, "did you mean `--algorithm`?"},
+      {{"heightmap", "make", "rocks", "-o", "a.png", "--bits", "0"}, "--bits 0 is not accepted; 1 to 16"},
+      {{"heightmap", "make", "rocks", "-o", "a.png", "--bits", "17"}, "--bits 17 is not accepted; 1 to 16"},
+      {{"heightmap", "make", "rocks", "-o", "a.png", "--bits", "-1"}, "--bits -1 is not accepted; 1 to 16"},
+      {{"rays", "convert", "a.rays", "b.csv", "-o", "c.csv"},
+       "Two files to write are given, b.csv and -o c.csv;"},
+      {{"rays", "convert", "a.rays"}, "No file to write is given;"},
+      {{"run", "default", "--waves", "there.fst"}, "--waves there.fst exists and stays as it is;"},
+      {{"run", "default", "--waves", std::string(300, 'n') + ".fst"},
+       "cannot be written: File name too long;"},
+      {{"run", "default", "--waves", "a.fst", "--waves-pixel", "3,3", "--waves-pipeline", "0"},
+       "--waves-pixel and --waves-pipeline: accepted is one of the two"},
+      {{"run", "default", "--waves-pipeline", "0"}, "need --waves FILE.fst"},
+      {{"verify", "oracle", "--rays", "0", "--precision-rays", "0", "--bilinear-rays", "0",
+        "--bilinear-exact-rays", "0"},
+       "nothing to check"},
+      {{"run", "default", "--algorithm", "dda,"}, "--algorithm dda, names nothing before or behind a comma"},
+      {{"compare", "default", "--algorithm", ",dda"}, "--algorithm ,dda names nothing"},
+      {{"compare", "default", "--arch", "tiny,,mobile"}, "--arch tiny,,mobile names nothing"},
+      {{"verify", "laws", "--scene", "default,"}, "--scene default, names nothing"},
+      {{"verify", "laws", "--arch", ","}, "--arch , names nothing"},
+      {{"run", "default", "--algorithm", "root,common,never"}, "accepted is root:common:never."},
+      {{"run", "default", "--algorithm", "root:common,never,quad"}, "accepted is root:common:never:quad."},
+      {{"compare", "default", "--algorithm", "dda,root,2,never,yun2013"},
+       "`root,2,never`: at a comma the next algorithm begins"},
+      {{"run", "--heightmap", "r.png:bits=12"}, "did you mean r.png,bits=12?"},
+      {{"run", "--heightmap", "r.png:A:range=0..3,bits=12"}, "did you mean r.png:A,range=0..3,bits=12?"},
+  };
+  for (const auto& [words, part] : cases) {
+    std::string line = "cuesta";
+    for (const std::string& word : words) line += " " + word;
+    expect_refusal(cuesta(words), 2, part, line);
+  }
+  EXPECT_EQ(read("there.fst"), "mine");
+  EXPECT_EQ(tree("").size(), 1u);  // nothing was written beside it
+}
+
+TEST_F(BrokenInput, EqualsSignsThatAreAcceptedStayAccepted) {
+  const ProgramResult made =
+      cuesta({"heightmap", "make", "rocks", "-o", "a=b.png", "--size=8", "--bits=16", "-q"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_TRUE(std::filesystem::exists(path("a=b.png")));
+  EXPECT_EQ(cuesta({"run", "default", "--fidelity=cycle", "--arch=tiny", "--set", "height_l1.ways=4",
+                    "--size=8", "-o", "out", "-q"})
+                .code,
+            0);
+}
+
 }  // namespace
 }  // namespace cuesta

@@ -62,8 +62,8 @@ TEST_F(CommandLineRtl, WavesOfCyclesAndOfAPixelAreWrittenAndChangeNothing) {
   EXPECT_EQ(time(read("a.fst"), 17), 2u * 90 + 1);
   EXPECT_EQ(time(read("c.fst"), 9), 0u);
   EXPECT_EQ(time(read("c.fst"), 17), 2u * 999 + 1);
-  expect_refusal(cuesta({"run", "small.toml", "--fidelity", "rtl", "--waves", "a.fst"}), 2, "it exists",
-                 "again");
+  expect_refusal(cuesta({"run", "small.toml", "--fidelity", "rtl", "--waves", "a.fst"}), 2,
+                 "exists and stays as it is", "again");
   expect_refusal(cuesta({"run", "small.toml", "--fidelity", "rtl", "--waves", "a.vcd"}), 2, ".fst", "a VCD");
   expect_refusal(cuesta({"run", "small.toml", "--waves-cycles", "1:2"}), 2, "--waves FILE.fst",
                  "without a file");

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/sim/cli_fixture.h"
 
@@ -157,6 +159,34 @@ TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
   }
   EXPECT_EQ(cuesta({"--help"}).code, 0);
   EXPECT_EQ(cuesta({"--version"}).out.rfind("cuesta ", 0), 0u);
+}
+
+TEST_F(CommandLine, TheLastWordsOfAHelpNameVerbsThatThereAre) {
+  const struct {
+    Words group;
+    const char* verb;
+  } cases[] = {{{}, "run"}, {{"verify"}, "oracle"}, {{"rays"}, "make"}, {{"heightmap"}, "info"}};
+  for (const auto& [group, verb] : cases) {
+    Words words = group;
+    words.push_back("--help");
+    const std::string help = cuesta(words).out;
+    const size_t end = help.rfind(" --help` says more");
+    ASSERT_NE(end, std::string::npos) << help;
+    const size_t begin = help.rfind('`', end - 1);
+    std::istringstream named(help.substr(begin + 1, end - begin - 1));
+    Words line{std::istream_iterator<std::string>(named), {}};
+    ASSERT_FALSE(line.empty()) << help;
+    EXPECT_EQ(line[0], "cuesta");
+    line.erase(line.begin());
+    EXPECT_TRUE(std::equal(group.begin(), group.end(), line.begin(), line.end() - 1)) << help;
+    for (std::string& word : line) {
+      if (word == "VERB") word = verb;
+    }
+    line.push_back("--help");
+    const ProgramResult more = cuesta(line);
+    EXPECT_EQ(more.code, 0) << more.err;
+    EXPECT_NE(more.out.find("Example:"), std::string::npos) << help;
+  }
 }
 
 TEST_F(CommandLine, ListsNameWhatThereIs) {

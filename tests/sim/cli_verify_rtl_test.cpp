@@ -51,6 +51,8 @@ TEST_F(VerifyRtl, RaysAloneRunOverTheDefaultScenesHeights) {
 }
 
 TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
+  std::filesystem::create_directory(path("full"));
+  write("full/mine", "kept");
   const struct {
     Words words;
     const char* part;
@@ -58,6 +60,13 @@ TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
       {{"--sets", "tniy"}, "There is no compiled set `tniy`"},
       {{"--unit", "traverze"}, "did you mean `traverse`?"},
       {{"--stalls", "1:0,0,0,0,0,0,0,0"}, "no scene is given"},
+      {{"--register-seed", "3"}, "--register-seed is about a scene's rays"},
+      {{"--register-seed", "0"}, "--register-seed is about a scene's rays"},
+      {{"--seconds", "3", "--ray-count", "50"}, "--seconds and --ray-count both say when to stop"},
+      {{"--sets", "tiny,,mobile"}, "--sets tiny,,mobile names nothing"},
+      {{"default", "--workers", "2"}, "--workers is about random machines"},
+      {{"-o", "full"}, "-o full exists and stays as it is; accepted is the name of a new folder or an empty"},
+      {{"-o", "full/mine"}, "-o full/mine exists and stays as it is"},
       {{"default", "--seconds", "3"}, "a scene is given"},
       {{"default", "--stalls", "1:0"}, "--stalls 1:0: accepted is SEED:"},
       {{"default", "--memory", "1:9,8,0"}, "--memory 1:9,8,0: accepted is SEED:"},
