@@ -4,6 +4,7 @@
 
 #include "models/common/digest.h"
 #include "models/common/error.h"
+#include "models/oracle/checked_walks.h"
 #include "sim/outcome.h"
 
 namespace cuesta {
@@ -21,13 +22,6 @@ MachineFacts facts_of(const Architecture& a, Fidelity fidelity, int texel_bytes)
   return facts;
 }
 
-std::string said(const HitRecord& hit) {
-  if (hit.status != HitStatus::kHit) return "misses after " + std::to_string(hit.steps) + " steps";
-  return "hits cell (" + std::to_string(hit.i) + ", " + std::to_string(hit.j) + ") at time " +
-         std::to_string(hit.t) + ", face " + std::to_string(static_cast<int>(hit.face)) + ", after " +
-         std::to_string(hit.steps) + " steps";
-}
-
 /// Hardware's records against the value of the walk, which the model's machine has by construction: the hardware may be
 /// anybody's. Throws Error(kMismatch) for the first that differs.
 void check_hardware(const Workload& work, const Architecture& architecture,
@@ -39,7 +33,7 @@ void check_hardware(const Workload& work, const Architecture& architecture,
     throw Error(ExitCode::kMismatch, run_name + ": the hardware's record of ray " + std::to_string(k) +
                                          ", pixel (" + std::to_string(pixel % width) + ", " +
                                          std::to_string(pixel / width) + "), is wrong: there the ray " +
-                                         said(hits[k]) + ", in the model it " + said(right[k]) +
+                                         describe(hits[k]) + "; the walk, " + describe(right[k]) +
                                          ". `cuesta verify rtl` finds where they part.");
   }
 }

@@ -87,6 +87,9 @@ class HeightL1 final : public MemoryClient {
         retry_(next_waiter_.size()),
         seen_((image_bytes >> line_shift_) / 64 + 1, 0) {}
 
+  HeightL1(const HeightL1&) = delete;  // sets_ looks into this one's lines
+  HeightL1& operator=(const HeightL1&) = delete;
+
   /// From now on requests are added to `log`.
   void log_ports(PortLog* log) { log_ = log; }
 

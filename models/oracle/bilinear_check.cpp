@@ -10,6 +10,7 @@
 #include "models/oracle/random_cases.h"
 #include "models/traversal/bilinear.h"
 #include "models/traversal/hit_time.h"
+#include "models/traversal/map_shape.h"
 
 namespace cuesta {
 namespace {
@@ -112,7 +113,7 @@ class Checker {
   HitRecord limited_walk(const Schedule& schedule, const MachineRay& input) const {
     const Walk<A, G> walk = walk_of<A, G>(schedule);
     BilinearState<A, G> state;
-    const int64_t limit = most_steps(map_);
+    const int64_t limit = most_steps(map_.shape, map_.format);
     Visit now = start_bilinear(walk, input, state);
     NoReader nobody;
     while (now == Visit::kContinue) {

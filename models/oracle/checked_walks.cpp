@@ -38,9 +38,4 @@ std::vector<Schedule> checked_schedules(bool all_combinations, int stop_level) {
   return list;
 }
 
-int64_t most_steps(const RandomMap& map) {
-  const int64_t planes = int64_t{map.shape.width} + map.shape.height;
-  return 4 * (planes << map.format.tile_bits) + 4 * map.shape.root_level + 64;
-}
-
 }  // namespace cuesta

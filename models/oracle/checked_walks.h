@@ -22,8 +22,4 @@ bool same_answer(const HitRecord& a, const HitRecord& b);
 /// `dda` first, then every named schedule; with `all_combinations` also 3 starts x 4 downs x 8 ups.
 std::vector<Schedule> checked_schedules(bool all_combinations, int stop_level);
 
-/// More than any walk over the map takes: every second step at least is a crossing, but for descents, of which each level above the leaves is repaid by
-/// an ascent; crossings are as many as there are planes in 2^w2 tiles.
-int64_t most_steps(const RandomMap& map);
-
 }  // namespace cuesta

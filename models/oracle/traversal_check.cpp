@@ -9,6 +9,7 @@
 #include "models/oracle/schedule_walk.h"
 #include "models/traversal/fetch.h"
 #include "models/traversal/lanes.h"
+#include "models/traversal/map_shape.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {
@@ -45,7 +46,7 @@ HitRecord limited_walk(const RandomMap& map, const Schedule& schedule, const Pyr
   const bool quads = schedule.fetch == FetchRule::kQuad;
   QuadReader reader;
   RayState<A, G> ray;
-  const int64_t limit = most_steps(map);
+  const int64_t limit = most_steps(map.shape, map.format);
   Visit state = start(walk, input, ray);
   while (state == Visit::kContinue) {
     const int i = static_cast<int>(ray.gx.fetch_index(walk.x, ray.level));

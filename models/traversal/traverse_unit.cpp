@@ -135,7 +135,6 @@ bool TraverseUnit::retire(int context, Cycle limit) {
   if (completions_ != nullptr) completions_->push_back(ray.trace);
   if (log_ != nullptr) log_->hits.push_back({cycle_, ray.ray, hit});
   free_.push_back(context);
-  --resident_;
   take_out();
   return true;
 }
@@ -162,7 +161,6 @@ bool TraverseUnit::fill_empty_slot() {
   const RaySetupUnit::Ready next = setup_.take(cycle_);
   const int context = free_.back();
   free_.pop_back();
-  ++resident_;
   Context& ray = contexts_[static_cast<size_t>(context)];
   ray.ray = next.ray;
   ray.trace = order_[next.ray];

@@ -92,7 +92,7 @@ class TraverseUnit {
   Cycle cycle() const { return cycle_; }
   /// Nothing to do but to wait for rays from outside.
   bool starved() const { return resident() == 0 && setup_.empty() && dispatch_.starved(); }
-  int resident() const { return resident_; }
+  int resident() const { return static_cast<int>(contexts_.size() - free_.size()); }
   /// The cycles from where the unit stopped to the machine's last one.
   void drain_until(Cycle end) {
     add_bubbles(counts_, end - cycle_);
@@ -168,7 +168,6 @@ class TraverseUnit {
   std::vector<int> free_;       ///< contexts
   std::vector<int> slots_;      ///< context in each slot, or -1
   std::vector<uint64_t> busy_;  ///< bit set: the slot holds a ray
-  int resident_ = 0;            ///< contexts that hold a ray
   int occupied_ = 0;            ///< slots that hold a ray
   int slot_ = 0;                ///< at select
   Cycle cycle_ = 0;             ///< the next to happen

@@ -8,6 +8,7 @@
 #include "models/oracle/verdict.h"
 #include "models/traversal/arithmetic.h"
 #include "models/traversal/hit_time.h"
+#include "models/traversal/map_shape.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {
@@ -43,10 +44,7 @@ AdversaryScorer::Prepared AdversaryScorer::prepare(const HeightGrid& grid,
   Prepared prepared{grid, build_max_pyramid(grid), {}, {}, {}, {}, 0};
   prepared.shape = {grid.width, grid.height, prepared.pyramid.root_level(), grid.bits, mode_};
   prepared.format = number_format(architecture_.traverse, prepared.shape);
-  RandomMap sizes;
-  sizes.shape = prepared.shape;
-  sizes.format = prepared.format;
-  prepared.most_steps = cuesta::most_steps(sizes);
+  prepared.most_steps = cuesta::most_steps(prepared.shape, prepared.format);
   for (const TracedRay& ray : rays) {
     prepared.rays.push_back(quantise(ray, prepared.shape, prepared.format));
     prepared.pixels.push_back(static_cast<uint32_t>(prepared.pixels.size()));

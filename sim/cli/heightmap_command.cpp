@@ -55,14 +55,12 @@ class MakeCommand : public Command {
     options.add("kind", options_.kind, kind_list()).required();
     options.add("-o,--output", options_.output, "File to write: .png, .tif or .tiff").required();
     options.add("--size", size_, "Texels: 256 or 640x480, 1 to 16384 on a side; default: the kind's own");
-    options.add("--bits", bits_, "Bits of a height, 1 to 16; default: the kind's own");
+    options.add("--bits", options_.bits, "Bits of a height, 1 to 16; default: the kind's own");
     options.add("--seed", options_.seed, "Another seed, another map of the kind").with_default();
     options.add_flag("--force", options_.force, "Replace a file of that name");
   }
   ExitCode run(const Session& session) override {
     if (!size_.empty()) parse_map_size(size_, options_.width, options_.height);
-    if (bits_) check_bits(*bits_);
-    options_.bits = bits_.value_or(0);
     std::string line = heightmap_make(options_, watch_of(session, "making"), watch_of(session, "writing"));
     if (!session.quiet) std::fprintf(stderr, "%s\n", line.c_str());
     return ExitCode::kOk;
@@ -70,7 +68,6 @@ class MakeCommand : public Command {
 
  private:
   HeightmapMakeOptions options_;
-  std::optional<int> bits_;
   std::string size_;
 };
 
@@ -159,13 +156,14 @@ std::string heightmap_make(const HeightmapMakeOptions& options, const Watch& mak
     throw usage_error("There is no folder " + printable(folder.string(), 200) +
                       " to write the map into; accepted: a name in a folder that is there.");
   }
-  if (options.bits != 0) check_bits(options.bits);
+  if (options.bits) check_bits(*options.bits);
   const MapKind* kind = find_map_kind(options.kind);
   if (kind != nullptr) {
     check_map_memory(options.width > 0 ? options.width : kind->width,
                      options.height > 0 ? options.height : kind->height);
   }
-  HeightGrid grid = generate(options.kind, options.width, options.height, options.bits, options.seed, making);
+  HeightGrid grid =
+      generate(options.kind, options.width, options.height, options.bits.value_or(0), options.seed, making);
   write_height_image(options.output, grid, options.force, writing);
   return fmt::format("{}: {}, {} x {} texels of {} bits, seed {}.", options.output, options.kind, grid.width,
                      grid.height, grid.bits, options.seed);

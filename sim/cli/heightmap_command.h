@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "models/heightmap/generator.h"
@@ -13,7 +14,7 @@ struct HeightmapMakeOptions {
   std::string output;  ///< ends in .png, .tif or .tiff
   int width = 0;       ///< texels; 0: the kind's own
   int height = 0;
-  int bits = 0;  ///< 0: the kind's own
+  std::optional<int> bits;  ///< nullopt: the kind's own
   uint64_t seed = 1;
   bool force = false;  ///< replace a file of that name
 };

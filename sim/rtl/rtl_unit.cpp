@@ -60,10 +60,9 @@ Error RtlUnit::no_such_ray(uint32_t number) const {
 
 Error RtlUnit::goes_nowhere(uint32_t number) const {
   return {ExitCode::kNoProgress, name_ + "[" + std::to_string(site_.pipeline) + "] has given ray " +
-                                     std::to_string(number) + " more than " +
-                                     std::to_string(site_.watchdog.limit) +
-                                     " slots (machine.no_progress_cycles) by cycle " +
-                                     std::to_string(cycle_) + ", and it has not ended."};
+                                     std::to_string(number) + " more than " + std::to_string(most_slots_) +
+                                     " slots by cycle " + std::to_string(cycle_) +
+                                     ", more than any walk over the map takes; it has not ended."};
 }
 
 void RtlUnit::retire(HitRecord record, Cycle sent) {

@@ -10,6 +10,7 @@
 #include "models/common/error.h"
 #include "models/heightmap/texel_layout.h"
 #include "models/traversal/hmt_unit.h"
+#include "models/traversal/map_shape.h"
 #include "sim/machine.h"
 #include "sim/rtl/hmt_top_port.h"
 #include "sim/rtl/rtl_set.h"
@@ -44,7 +45,11 @@ class RtlUnit : public HmtUnit {
 
  protected:
   RtlUnit(std::string name, const RtlJob& job, const HmtSite& site)
-      : job_(job), site_(site), name_(std::move(name)) {}
+      : job_(job),
+        site_(site),
+        most_slots_(kSlotsOfAStep *
+                    most_steps(job.work.map, number_format(site.architecture.traverse, job.work.map))),
+        name_(std::move(name)) {}
 
   /// One cycle, `cycle_`.
   virtual void tick() = 0;
@@ -65,15 +70,15 @@ class RtlUnit : public HmtUnit {
     return site_.dispatch.queue(site_.pipeline).empty() && site_.dispatch.all_sent() &&
            site_.dispatch.last_sent() < cycle_;
   }
-  /// Throws Error(kMismatch) for a ray that there is not, Error(kNoProgress) for one that has used more slots than the
-  /// watchdog waits cycles: the hardware may be anybody's.
+  /// Throws Error(kMismatch) for a ray that there is not, Error(kNoProgress) for one that has used more slots
+  /// than any walk over the map: the hardware may be anybody's.
   void count_slot(HmtTopPort::Slot slot, uint32_t number) {
     using Slot = HmtTopPort::Slot;
     if (slot == Slot::kBubble || slot == Slot::kStall) return;
     if (number >= site_.order.size()) throw no_such_ray(number);
     RayTiming& timing = site_.timing[site_.order[number]];
     in_context_ += timing.issue_slots++ == 0;
-    if (timing.issue_slots > site_.watchdog.limit) [[unlikely]]
+    if (timing.issue_slots > most_slots_) [[unlikely]]
       throw goes_nowhere(number);
     timing.misses += slot == Slot::kMiss;
     if (slot == Slot::kStep || slot == Slot::kDead) site_.watchdog.last_progress = cycle_;
@@ -95,6 +100,9 @@ class RtlUnit : public HmtUnit {
   Cycle cycle_ = 0;
 
  private:
+  static constexpr int kSlotsOfAStep = 3;  ///< refused, allocated or merged, replayed
+
+  int64_t most_slots_;
   Cycle ended_ = kNever;  ///< where it stopped: what `drain_until` ticks is behind its end
   std::string name_;
   Cycle hits_open_from_ = 0;

@@ -10,6 +10,7 @@
 #include "models/search/search_walk.h"
 #include "models/traversal/bilinear.h"
 #include "models/traversal/hit_time.h"
+#include "models/traversal/map_shape.h"
 
 namespace cuesta {
 namespace {
@@ -51,10 +52,7 @@ JudgedAnswer to_judge(const HitRecord& found, Arithmetic arithmetic, const MapSh
 HardChecker::HardChecker(HeightGrid grid, AddressMode mode, const NumberFormat& format, bool with_searches)
     : grid_(std::move(grid)), format_(format), pyramid_(build_max_pyramid(grid_)) {
   shape_ = {grid_.width, grid_.height, pyramid_.root_level(), grid_.bits, mode};
-  RandomMap sizes;
-  sizes.shape = shape_;
-  sizes.format = format_;
-  most_steps_ = most_steps(sizes);
+  most_steps_ = most_steps(shape_, format_);
   for (const Algorithm& algorithm : cuesta::algorithms()) algorithms_.push_back(algorithm);
   for (const Algorithm& part : algorithm_parts()) algorithms_.push_back(part);
   combinations_ = checked_schedules(true, 0);

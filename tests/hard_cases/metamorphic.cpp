@@ -16,13 +16,6 @@
 namespace cuesta {
 namespace {
 
-int64_t limit_of_steps(const Instance& instance) {
-  RandomMap sizes;
-  sizes.shape = instance.shape;
-  sizes.format = instance.format;
-  return most_steps(sizes);
-}
-
 /// A map of another size, filled by `of(i, j)`; the ray is kept.
 template <class Of>
 Instance with_map(const Instance& from, int width, int height, Of&& of) {
@@ -121,7 +114,7 @@ Move scale_heights(const Instance& from, const HitRecord& found, Arithmetic arit
 /// The texels that the ray can ask, from its start to its hit, or to its end where it has none.
 std::set<std::pair<int, int>> path_of(const Instance& instance, Arithmetic arithmetic) {
   std::set<std::pair<int, int>> path;
-  const int64_t limit = limit_of_steps(instance);
+  const int64_t limit = most_steps(instance.shape, instance.format);
   with_traversal_types(arithmetic, instance.shape, [&]<class A, class G>() {
     // Full scale as the map's maximum: where a raised texel would let a rising ray go on.
     const Walk<A, G> walk(instance.shape, instance.format, {StartRule::kLeaf, 1, UpRule::kNever},
@@ -202,7 +195,7 @@ std::span<const Relation> relations() { return kRelations; }
 
 HitRecord walk(const Instance& instance, Arithmetic arithmetic, const Schedule& schedule) {
   const Pyramid pyramid = build_max_pyramid(instance.grid);
-  const int64_t limit = limit_of_steps(instance);
+  const int64_t limit = most_steps(instance.shape, instance.format);
   return with_traversal_types(arithmetic, instance.shape, [&]<class A, class G>() {
     const Walk<A, G> walk(instance.shape, instance.format, schedule, pyramid.highest());
     RayState<A, G> ray;

@@ -40,6 +40,21 @@ TEST_F(CommandLineRtl, FidelityRtlGivesTheDigestOfCycleOnEveryPresetAndHost) {
   }
 }
 
+TEST_F(CommandLineRtl, ARayOfMoreStepsThanTheCyclesWithoutProgressIsNoRayWithoutAnEnd) {
+  write("small.toml",
+        "[heightmap]\ngenerate = { kind = \"flat\", width = 1024, height = 1024 }\n[surface]\ndepth = 1.0\n"
+        "[camera]\nangle_degrees = 89.7\n[image]\nwidth = 8\nheight = 8\n");
+  const Words patient{"--algorithm", "dda", "--set", "machine.no_progress_cycles=1000"};
+  const std::string digest = digest_of(patient);
+  const std::string json = read("result/result.json");
+  std::smatch steps;
+  ASSERT_TRUE(std::regex_search(json, steps, std::regex("\"steps_per_ray\": *\\{[^}]*\"value\": *([0-9.]+)")));
+  EXPECT_GT(std::stod(steps[1]), 1000);
+  Words rtl = patient;
+  rtl.insert(rtl.end(), {"--fidelity", "rtl"});
+  EXPECT_EQ(digest_of(rtl), digest);
+}
+
 TEST_F(CommandLineRtl, WavesOfCyclesAndOfAPixelAreWrittenAndChangeNothing) {
   write("small.toml", kSmallScene);
   const std::string digest = digest_of({});

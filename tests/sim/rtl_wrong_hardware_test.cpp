@@ -97,7 +97,7 @@ TEST(WrongHardware, HmtTopEndsTheRunWithASentence) {
   } cases[] = {
       {[](Out&) {}, "no step was finished"},
       {[](Out& o) { o.slot = Slot::kStep, o.slot_ray = 77; }, "works on ray 77 of 1"},
-      {[](Out& o) { o.slot = Slot::kStep; }, "more than 5000 slots"},
+      {[](Out& o) { o.slot = Slot::kStep; }, "more than 6384 slots"},
       {[](Out& o) { o.hit_valid = true; }, "sends ray 123456, which is not inside"},
       {[](Out& o) { o.request_valid = true; }, "without a miss"},
       {[](Out& o) { o.slot = Slot::kMiss, o.request_valid = true, o.request_address = 1 << 20; },
