@@ -48,7 +48,8 @@ TEST_F(CommandLineRtl, ARayOfMoreStepsThanTheCyclesWithoutProgressIsNoRayWithout
   const std::string digest = digest_of(patient);
   const std::string json = read("result/result.json");
   std::smatch steps;
-  ASSERT_TRUE(std::regex_search(json, steps, std::regex("\"steps_per_ray\": *\\{[^}]*\"value\": *([0-9.]+)")));
+  ASSERT_TRUE(
+      std::regex_search(json, steps, std::regex("\"steps_per_ray\": *\\{[^}]*\"value\": *([0-9.]+)")));
   EXPECT_GT(std::stod(steps[1]), 1000);
   Words rtl = patient;
   rtl.insert(rtl.end(), {"--fidelity", "rtl"});
