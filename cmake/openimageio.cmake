@@ -1,4 +1,4 @@
-# OpenImageIO::OpenImageIO. Only cuesta_image_read and cuesta_image_write link it: it loads 261 shared libraries.
+# OpenImageIO::OpenImageIO. Only the module cuesta_images links it: it loads 261 shared libraries.
 #
 # Through pkg-config, because Debian 12's CMake package cannot be used as installed: it names the programs of
 # openimageio-tools and /usr/include/opencv4, and CMake refuses files and include paths that do not exist.

@@ -56,7 +56,7 @@ double median(std::vector<double> of) {
 
 struct Case {
   bool grazing, random, slow;
-  std::vector<double> speeds[2];  // cycles per second of each run: model, RTL
+  std::vector<double> speeds[2] = {};  // cycles per second of each run: model, RTL
   int64_t cycles = 0;
 
   std::string name() const {

@@ -127,22 +127,15 @@ TEST_F(AdversaryCommand, InterruptedItKeepsTheBestSoFar) {
 }
 
 TEST_F(AdversaryCommand, WhatItCannotSearchIsRefused) {
-  const struct {
-    Words words;
-    const char* part;
-  } cases[] = {
+  const Refusal cases[] = {
       {{"--maximise", "stepps"}, "did you mean `steps`?"},
       {{"--address", "repeat"}, "border, wrap, mirror, clamp"},
       {{"--size", "65"}, "--size 65: accepted is one number of texels or WIDTHxHEIGHT, each from 1 to 64"},
       {{"--size", "0x8"}, "each from 1 to 64"},
       {{"--algorithm", "oh2006:stop=1"}, "stop at level 0"},
       {{"--algorithm", "dda,oh2006"}, "one algorithm"}};
-  for (const auto& [words, part] : cases) {
-    Words all = {"adversary", "--tries", "2", "-o", "no"};
-    all.insert(all.end(), words.begin(), words.end());
-    expect_refusal(cuesta(all), 2, part, words[1]);
-    EXPECT_FALSE(std::filesystem::exists(path("no")));
-  }
+  expect_refusals(cases, {"adversary", "--tries", "2", "-o", "no"});
+  EXPECT_FALSE(std::filesystem::exists(path("no")));
 }
 
 }  // namespace

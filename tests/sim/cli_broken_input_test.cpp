@@ -227,10 +227,7 @@ TEST_F(BrokenInput, RaysThatAreNoNumbersEndWithThree) {
 
 TEST_F(BrokenInput, WordsThatContradictOrSayNothingEndWithTwoBeforeTheWork) {
   write("there.fst", "mine");
-  const struct {
-    Words words;
-    const char* part;
-  } cases[] = {
+  const Refusal cases[] = {
       {{"run", "default", "--algorithm=", "--fidelity", "functional"}, "`--algorithm=` has no value"},
       {{"verify", "oracle", "--seed=", "--rays", "10"}, "`--seed=` has no value"},
       {{"run", "default", "--json="}, "`--json=` has no value; accepted is `--json` alone."},
@@ -265,11 +262,7 @@ TEST_F(BrokenInput, WordsThatContradictOrSayNothingEndWithTwoBeforeTheWork) {
       {{"run", "--heightmap", "r.png:bits=12"}, "did you mean r.png,bits=12?"},
       {{"run", "--heightmap", "r.png:A:range=0..3,bits=12"}, "did you mean r.png:A,range=0..3,bits=12?"},
   };
-  for (const auto& [words, part] : cases) {
-    std::string line = "cuesta";
-    for (const std::string& word : words) line += " " + word;
-    expect_refusal(cuesta(words), 2, part, line);
-  }
+  expect_refusals(cases);
   EXPECT_EQ(read("there.fst"), "mine");
   EXPECT_EQ(tree("").size(), 1u);  // nothing was written beside it
 }

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,22 @@ class CommandLine : public ::testing::Test {
     EXPECT_EQ(result.err.rfind("cuesta: ", 0), 0u) << what << "\n" << result.err;
     EXPECT_NE(result.err.find(part), std::string::npos) << what << "\n" << result.err;
     EXPECT_EQ(result.out, "") << what;
+  }
+
+  /// Words that are refused with exit code 2, and a part of the sentence that says why.
+  struct Refusal {
+    Words words;
+    const char* part;
+  };
+  /// Each of `cases`, behind the words `before`.
+  void expect_refusals(std::span<const Refusal> cases, const Words& before = {}) const {
+    for (const auto& [words, part] : cases) {
+      Words all = before;
+      all.insert(all.end(), words.begin(), words.end());
+      std::string line = "cuesta";
+      for (const std::string& word : all) line += " " + word;
+      expect_refusal(cuesta(all), 2, part, line);
+    }
   }
 
   TemporaryFolder folder_;

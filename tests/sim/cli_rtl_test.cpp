@@ -93,10 +93,7 @@ TEST_F(CommandLineRtl, WhatNoCompiledHardwareIsIsRefusedWithTheKeyTheNearestSetA
   write("odd.toml", "[heightmap]\ngenerate = { kind = \"rocks\", width = 24, height = 32 }\n");
   write("mirror.toml",
         "[surface]\naddress = \"mirror\"\n" + kSmallScene.substr(0, kSmallScene.find("[surface]")));
-  const struct {
-    Words words;
-    const char* part;
-  } cases[] = {
+  const Refusal cases[] = {
       {{"small.toml", "--set", "traverse.contexts=48"},
        "nearest is mobile: traverse.contexts is 48, compiled is 32"},
       {{"small.toml", "--set", "traverse.contexts=48"}, "CUESTA_RTL_SETS"},
@@ -108,11 +105,7 @@ TEST_F(CommandLineRtl, WhatNoCompiledHardwareIsIsRefusedWithTheKeyTheNearestSetA
       {{"odd.toml"}, "24 x 32"},
       {{"mirror.toml"}, "mirror"},
   };
-  for (const auto& [more, part] : cases) {
-    Words words{"run", "-q", "--fidelity", "rtl", "-o", "result", "--force"};
-    words.insert(words.end(), more.begin(), more.end());
-    expect_refusal(cuesta(words), 2, part, part);
-  }
+  expect_refusals(cases, {"run", "-q", "--fidelity", "rtl", "-o", "result", "--force"});
 }
 
 }  // namespace

@@ -48,10 +48,7 @@ TEST_F(Searches, GiveTheSameHitsAtBothFidelities) {
 }
 
 TEST_F(Searches, WhereTheyCannotGoTheyAreRefused) {
-  const struct {
-    Words words;
-    const char* part;
-  } cases[] = {
+  const Refusal cases[] = {
       {{"--algorithm", "relief", "--fidelity", "rtl"}, "relief is a search"},
       {{"--algorithm", "cone", "--host", "systemc"}, "accepted with it are exact algorithms"},
       {{"--algorithm", "steep", "--set", "traverse.up=always"}, "which has none"},
@@ -59,11 +56,7 @@ TEST_F(Searches, WhereTheyCannotGoTheyAreRefused) {
       {{"--algorithm", "relif"}, "did you mean `relief`?"},
       {{"--algorithm", "RELIEF"}, "did you mean `relief`?"},
   };
-  for (const auto& [words, part] : cases) {
-    Words all = {"run", "default", "--size", "16", "-q"};
-    all.insert(all.end(), words.begin(), words.end());
-    expect_refusal(cuesta(all), 2, part, words[1]);
-  }
+  expect_refusals(cases, {"run", "default", "--size", "16", "-q"});
   // Before anything is run, and so without a result.
   expect_refusal(
       cuesta({"compare", "default", "--size", "16", "--algorithm", "dda,relief", "--fidelity", "rtl", "-q"}),

@@ -53,10 +53,7 @@ TEST_F(VerifyRtl, RaysAloneRunOverTheDefaultScenesHeights) {
 TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
   std::filesystem::create_directory(path("full"));
   write("full/mine", "kept");
-  const struct {
-    Words words;
-    const char* part;
-  } cases[] = {
+  const Refusal cases[] = {
       {{"--sets", "tniy"}, "There is no compiled set `tniy`"},
       {{"--unit", "traverze"}, "did you mean `traverse`?"},
       {{"--stalls", "1:0,0,0,0,0,0,0,0"}, "no scene is given"},
@@ -74,11 +71,7 @@ TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
       {{"default", "--size", "8", "--set", "traverse.contexts=48"}, "traverse.contexts is 48"},
       {{"default", "--size", "8", "--set", "traverse.arithmetic=float"}, "accepted is fixed"},
   };
-  for (const auto& [words, part] : cases) {
-    Words all = {"verify", "rtl", "-q"};
-    all.insert(all.end(), words.begin(), words.end());
-    expect_refusal(cuesta(all), 2, part, words[0] + " " + words[1]);
-  }
+  expect_refusals(cases, {"verify", "rtl", "-q"});
 }
 
 }  // namespace

@@ -52,14 +52,14 @@ struct ColourScan {
 /// Reads R, G, B and, where there is one, alpha; 16-bit integers hold what 8 and 16 bits tell apart, float
 /// the rest.
 template <typename T>
-ColourScan scan(ImageFile& file, OIIO::TypeDesc::BASETYPE base) {
+ColourScan scan(ImageFile& file, SampleKind kind) {
   ColourScan found;
   int count = file.alpha_channel() == 3 ? 4 : 3;
   std::vector<T> strip(static_cast<size_t>(file.strip_rows()) * file.width() * count);
   T first_alpha{};
   for (int first = 0; first < file.height(); first += file.strip_rows()) {
     int last = std::min(first + file.strip_rows(), file.height());
-    file.read_rows(first, last, 0, count, base, strip.data());
+    file.read_rows(first, last, 0, count, kind, strip.data());
     if (first == 0 && count == 4) first_alpha = strip[3];
     size_t texels = static_cast<size_t>(last - first) * file.width();
     for (size_t k = 0; k < texels; ++k) {
@@ -85,9 +85,9 @@ ChannelChoice by_rule(ImageFile& file) {
     return {1 - file.alpha_channel(), "the one that is not alpha"};
   bool colours = names.size() >= 3 && names[0] == "R" && names[1] == "G" && names[2] == "B";
   if (colours) {
-    bool small = file.type(0) == OIIO::TypeDesc::UINT8 || file.type(0) == OIIO::TypeDesc::UINT16;
+    bool small = file.kind(0) == SampleKind::kUint8 || file.kind(0) == SampleKind::kUint16;
     ColourScan found =
-        small ? scan<uint16_t>(file, OIIO::TypeDesc::UINT16) : scan<float>(file, OIIO::TypeDesc::FLOAT);
+        small ? scan<uint16_t>(file, SampleKind::kUint16) : scan<float>(file, SampleKind::kFloat);
     if (found.grey) return {0, "R = G = B in every pixel"};
     if (file.alpha_channel() == 3 && !found.alpha_constant)
       return {3, "R, G and B differ and alpha is not constant"};

@@ -62,26 +62,22 @@ ImageFile::ImageFile(const std::string& path) : path_(path) {
 
 void ImageFile::open() {
   refuse_damage(damage_of_png(path_));
-  OIIO::ImageSpec hints;
-  hints.attribute("oiio:UnassociatedAlpha", 1);  // else R, G and B come back multiplied by alpha
-  input_ = OIIO::ImageInput::open(path_, &hints);
+  std::string fault;
+  input_ = image_codec().open(path_, fault);
   if (!input_) {
-    std::string reason = one_line(OIIO::geterror());
+    const std::string reason = one_line(fault);
     bool unknown =
         reason.find("format reader") != std::string::npos;  // OpenImageIO's words take three sentences
     throw input_error("The image " + in_quotes(path_) +
                       (unknown ? " is of no known format" : " cannot be opened: ") + (unknown ? "" : reason) +
                       "; PNG, TIFF, EXR, TGA, BMP and JPEG are accepted.");
   }
-  spec_ = input_->spec();
   check_size();
-  refuse_damage(damage_of_others(path_, format(), spec_.width, spec_.height));
-  more_pictures_ = input_->seek_subimage(1, 0);
-  if (!input_->seek_subimage(0, 0)) {
-    throw input_error("The image " + in_quotes(path_) + " cannot be read: " + one_line(input_->geterror()) +
-                      ".");
+  refuse_damage(damage_of_others(path_, format(), width(), height()));
+  fault = input_->look_for_more(more_pictures_);
+  if (!fault.empty()) {
+    throw input_error("The image " + in_quotes(path_) + " cannot be read: " + one_line(fault) + ".");
   }
-  input_->geterror();
 }
 
 void ImageFile::refuse_damage(const std::string& damage) const {
@@ -89,33 +85,27 @@ void ImageFile::refuse_damage(const std::string& damage) const {
 }
 
 void ImageFile::check_size() const {
-  std::string size = std::to_string(spec_.width) + " x " + std::to_string(spec_.height);
-  if (spec_.width < 1 || spec_.height < 1 || spec_.width > kMaxSide || spec_.height > kMaxSide) {
+  std::string size = std::to_string(width()) + " x " + std::to_string(height());
+  if (width() < 1 || height() < 1 || width() > kMaxSide || height() > kMaxSide) {
     throw input_error("The image " + in_quotes(path_) + " is " + size + " texels; 1 to " +
                       std::to_string(kMaxSide) + " on each side are accepted.");
   }
-  if (spec_.depth > 1 || spec_.deep) {
+  if (header().depth > 1 || header().deep) {
     throw input_error("The image " + in_quotes(path_) +
                       " is a volume or holds deep samples; a flat picture is accepted.");
   }
-  if (spec_.nchannels < 1 || spec_.nchannels > 1024) {
-    throw input_error("The image " + in_quotes(path_) + " has " + std::to_string(spec_.nchannels) +
+  if (channels().empty() || channels().size() > 1024) {
+    throw input_error("The image " + in_quotes(path_) + " has " + std::to_string(channels().size()) +
                       " channels; 1 to 1024 are accepted.");
   }
-  double declared = static_cast<double>(spec_.image_bytes(true));
+  double declared = static_cast<double>(header().image_bytes);
   std::error_code fault;
   double stored = static_cast<double>(std::filesystem::file_size(path_, fault));
   if (declared > 64.0 * 1024 * 1024 && declared > kMaxRatio * stored) {
     throw input_error("The image " + in_quotes(path_) + " declares " + size + " texels of " +
-                      std::to_string(spec_.pixel_bytes(true)) + " bytes, which its " +
+                      std::to_string(header().pixel_bytes) + " bytes, which its " +
                       std::to_string(static_cast<uint64_t>(stored)) + " bytes cannot hold.");
   }
-}
-
-std::string ImageFile::format() const { return input_->format_name(); }
-
-OIIO::TypeDesc::BASETYPE ImageFile::type(int channel) const {
-  return static_cast<OIIO::TypeDesc::BASETYPE>(spec_.channelformat(channel).basetype);
 }
 
 std::vector<std::string> ImageFile::notes() const {
@@ -123,15 +113,15 @@ std::vector<std::string> ImageFile::notes() const {
   if (has_palette(path_, format())) {
     notes.push_back("The picture has a palette; the colours that it stands for are read, not the indices.");
   }
-  if (const int turn = spec_.get_int_attribute("Orientation", 1); turn != 1) {
+  if (const int turn = header().orientation; turn != 1) {
     notes.push_back("The file asks to be shown turned (orientation " + std::to_string(turn) +
                     "); its rows are read as they are stored.");
   }
   if (format() == "jpeg") notes.push_back("JPEG is lossy: the heights are not those that were saved.");
   if (more_pictures_) notes.push_back("The file holds further pictures or levels; the first is read.");
-  if (spec_.full_width != spec_.width || spec_.full_height != spec_.height) {
-    notes.push_back("The file's display window is " + std::to_string(spec_.full_width) + " x " +
-                    std::to_string(spec_.full_height) + "; the data window is read.");
+  if (header().full_width != width() || header().full_height != height()) {
+    notes.push_back("The file's display window is " + std::to_string(header().full_width) + " x " +
+                    std::to_string(header().full_height) + "; the data window is read.");
   }
   return notes;
 }
@@ -139,44 +129,35 @@ std::vector<std::string> ImageFile::notes() const {
 /// OpenImageIO 2.4 gives zeros, and no error, for any part of a strip and for one row alone of a TIFF of doubles; whole
 /// strips of two rows or more come out right.
 int ImageFile::rows_of_doubles() const {
-  if (spec_.tile_height > 0 || format() != "tiff" || spec_.format != OIIO::TypeDesc::DOUBLE) return 0;
-  return std::clamp(spec_.get_int_attribute("tiff:RowsPerStrip", spec_.height), 1, spec_.height);
+  if (header().tile_height > 0 || format() != "tiff" || header().widest != SampleKind::kDouble) return 0;
+  return std::clamp(header().rows_per_strip, 1, height());
 }
 
 int ImageFile::strip_rows() const {
-  if (spec_.tile_height > 0) return spec_.tile_height;
+  if (header().tile_height > 0) return header().tile_height;
   const int whole = rows_of_doubles();
   return whole > 0 ? (63 / whole + 1) * whole : 64;
 }
 
-void ImageFile::read_rows(int first, int last, int channel, int count, OIIO::TypeDesc::BASETYPE type,
-                          void* target) {
+void ImageFile::read_rows(int first, int last, int channel, int count, SampleKind kind, void* target) {
   guarded(path_, [&] {
     if (rows_of_doubles() > 0 && last - first == 1) {  // see rows_of_doubles
-      if (spec_.height == 1) {
+      if (height() == 1) {
         throw input_error(
             "The image " + in_quotes(path_) +
             " is a TIFF of doubles of one row, which OpenImageIO cannot read; float, or two rows, "
             "is accepted.");
       }
       const int before = std::min(first, rows_of_doubles());
-      const size_t row_bytes =
-          OIIO::TypeDesc(type).size() * static_cast<size_t>(spec_.width) * static_cast<size_t>(count);
+      const size_t row_bytes = static_cast<size_t>(sample_type(kind).bytes) * static_cast<size_t>(width()) *
+                               static_cast<size_t>(count);
       std::vector<char> rows(row_bytes * static_cast<size_t>(before + 1));
-      read_rows(first - before, last, channel, count, type, rows.data());
+      read_rows(first - before, last, channel, count, kind, rows.data());
       std::memcpy(target, rows.data() + row_bytes * static_cast<size_t>(before), row_bytes);
       return;
     }
-    bool ok = false;
-    if (spec_.tile_width > 0) {
-      ok = input_->read_tiles(0, 0, spec_.x, spec_.x + spec_.width, spec_.y + first, spec_.y + last, spec_.z,
-                              spec_.z + 1, channel, channel + count, type, target);
-    } else {
-      ok = input_->read_scanlines(0, 0, spec_.y + first, spec_.y + last, spec_.z, channel, channel + count,
-                                  type, target);
-    }
-    std::string fault = input_->geterror();
-    if (!ok) {
+    const std::string fault = input_->read_rows(first, last, channel, count, kind, target);
+    if (!fault.empty()) {
       throw input_error("The image " + in_quotes(path_) + " is damaged or cut off in rows " +
                         std::to_string(first) + " to " + std::to_string(last - 1) + ": " + one_line(fault) +
                         ".");

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <OpenImageIO/imageio.h>
-
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "models/common/image_codec.h"
 
 namespace cuesta {
 
@@ -26,29 +27,30 @@ class ImageFile {
   explicit ImageFile(const std::string& path);
 
   const std::string& path() const { return path_; }
-  std::string format() const;
-  int width() const { return spec_.width; }
-  int height() const { return spec_.height; }
-  const std::vector<std::string>& channels() const { return spec_.channelnames; }
-  int alpha_channel() const { return spec_.alpha_channel; }  ///< -1: none
-  OIIO::TypeDesc::BASETYPE type(int channel) const;
+  const std::string& format() const { return header().format; }
+  int width() const { return header().width; }
+  int height() const { return header().height; }
+  const std::vector<std::string>& channels() const { return header().channels; }
+  int alpha_channel() const { return header().alpha_channel; }  ///< -1: none
+  /// nullopt: a number type that heights are not read from.
+  std::optional<SampleKind> kind(int channel) const { return header().kinds[static_cast<size_t>(channel)]; }
   std::vector<std::string> notes() const;  ///< palette, lossy, turned, further pictures in the file
 
   /// Rows that the file gives at once, at least 1.
   int strip_rows() const;
-  /// Rows [first, last) of channels [channel, channel + count), interleaved, in `type`. `first` is a multiple
-  /// of strip_rows(), `last` another or height().
-  void read_rows(int first, int last, int channel, int count, OIIO::TypeDesc::BASETYPE type, void* target);
+  /// Rows [first, last) of channels [channel, channel + count), interleaved, as `kind` (kHalf: as floats). `first` is
+  /// a multiple of strip_rows(), `last` another or height().
+  void read_rows(int first, int last, int channel, int count, SampleKind kind, void* target);
 
  private:
+  const ImageHeader& header() const { return input_->header(); }
   void open();
   int rows_of_doubles() const;  ///< of a strip, where only whole strips can be read; else 0
   void refuse_damage(const std::string& damage) const;
   void check_size() const;
 
   std::string path_;
-  std::unique_ptr<OIIO::ImageInput> input_;
-  OIIO::ImageSpec spec_;
+  std::unique_ptr<ImageInput> input_;
   bool more_pictures_ = false;
 };
 

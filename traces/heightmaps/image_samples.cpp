@@ -1,6 +1,6 @@
 #include "traces/heightmaps/image_samples.h"
 
-#include <array>
+#include <optional>
 
 #include "models/common/error.h"
 #include "models/common/words.h"
@@ -12,27 +12,13 @@
 namespace cuesta {
 namespace {
 
-struct ImageType {
-  OIIO::TypeDesc::BASETYPE base;
-  SampleKind kind;
-};
-
-constexpr ImageType kImageTypes[] = {
-    {OIIO::TypeDesc::UINT8, SampleKind::kUint8},   {OIIO::TypeDesc::UINT16, SampleKind::kUint16},
-    {OIIO::TypeDesc::UINT32, SampleKind::kUint32}, {OIIO::TypeDesc::INT8, SampleKind::kInt8},
-    {OIIO::TypeDesc::INT16, SampleKind::kInt16},   {OIIO::TypeDesc::INT32, SampleKind::kInt32},
-    {OIIO::TypeDesc::HALF, SampleKind::kHalf},     {OIIO::TypeDesc::FLOAT, SampleKind::kFloat},
-    {OIIO::TypeDesc::DOUBLE, SampleKind::kDouble},
-};
-
 /// One channel of an image.
 class ImageSamples : public SampleSource {
  public:
   ImageSamples(std::unique_ptr<ImageFile> file, int channel) : file_(std::move(file)), channel_(channel) {
-    for (const ImageType& type : kImageTypes) {
-      if (type.base != file_->type(channel)) continue;
-      kind_ = type.kind;
-      base_ = type.kind == SampleKind::kHalf ? OIIO::TypeDesc::FLOAT : type.base;
+    const std::optional<SampleKind> kind = file_->kind(channel);
+    if (kind) {
+      kind_ = *kind;
       return;
     }
     throw input_error(
@@ -44,14 +30,13 @@ class ImageSamples : public SampleSource {
   SampleKind kind() const override { return kind_; }
   int strip_rows() const override { return file_->strip_rows(); }
   void read_rows(int first, int last, void* target) override {
-    file_->read_rows(first, last, channel_, 1, base_, target);
+    file_->read_rows(first, last, channel_, 1, kind_, target);
   }
 
  private:
   std::unique_ptr<ImageFile> file_;
   int channel_;
   SampleKind kind_ = SampleKind::kUint8;
-  OIIO::TypeDesc::BASETYPE base_ = OIIO::TypeDesc::UINT8;
 };
 
 OpenedHeights open_plain(const HeightSource& source, std::unique_ptr<SampleSource> samples,

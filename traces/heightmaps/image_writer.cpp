@@ -1,6 +1,5 @@
 #include "traces/heightmaps/image_writer.h"
 
-#include <OpenImageIO/imageio.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "models/common/error.h"
+#include "models/common/image_codec.h"
 
 namespace cuesta {
 namespace {
@@ -25,10 +25,11 @@ std::string write_rows(const std::string& path, const std::string& format, const
                        const Watch& watch) {
   bool small = grid.bits <= 8;
   uint32_t white = small ? 255 : 65535;
-  auto output = OIIO::ImageOutput::create(format);
-  if (!output) return OIIO::geterror();
-  OIIO::ImageSpec spec(grid.width, grid.height, 1, small ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
-  if (!output->open(path, spec)) return output->geterror() + " ";
+  const ImageLayout layout{
+      grid.width, grid.height, {"Y"}, small ? SampleKind::kUint8 : SampleKind::kUint16, ""};
+  std::string fault;
+  auto output = image_codec().create(path, format, layout, fault);
+  if (!output) return fault;
   std::vector<uint16_t> wide(static_cast<size_t>(grid.width));
   std::vector<uint8_t> narrow(static_cast<size_t>(grid.width));
   uint32_t full_scale = grid.full_scale();
@@ -38,16 +39,15 @@ std::string write_rows(const std::string& path, const std::string& format, const
       wide[i] = static_cast<uint16_t>(value);
       narrow[i] = static_cast<uint8_t>(value);
     }
-    bool ok = small ? output->write_scanline(j, 0, OIIO::TypeDesc::UINT8, narrow.data())
-                    : output->write_scanline(j, 0, OIIO::TypeDesc::UINT16, wide.data());
-    if (!ok) return output->geterror() + " ";
+    fault = output->write_row(j, small ? static_cast<void*>(narrow.data()) : wide.data());
+    if (!fault.empty()) return fault;
     if (watch && !watch(static_cast<uint64_t>(j) + 1, static_cast<uint64_t>(grid.height))) {
       output->close();
       throw Error(ExitCode::kIncomplete,
                   "Writing the image was stopped before it was whole; nothing of it is kept.");
     }
   }
-  return output->close() ? "" : output->geterror() + " ";
+  return output->close();
 }
 
 }  // namespace
@@ -69,7 +69,8 @@ void write_height_image(const std::string& path, const HeightGrid& grid, bool ov
     std::filesystem::remove(partial, fault);
     throw;
   } catch (const std::exception& error) {
-    reason = std::string(error.what()) + " ";
+    reason = error.what();
+    if (reason.empty()) reason = "no reason given";
   }
   if (reason.empty()) {
     std::filesystem::rename(partial, path, fault);

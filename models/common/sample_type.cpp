@@ -1,4 +1,4 @@
-#include "traces/heightmaps/sample_source.h"
+#include "models/common/sample_type.h"
 
 #include <array>
 
