@@ -153,9 +153,10 @@ Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& chang
     check_memory(need);
   }
   if (job.trace.rays.empty()) {
-    throw input_error("No ray of scene " + scene.name +
-                      " meets the surface: nothing to run; turn the camera, or widen "
-                      "the crop.");
+    throw input_error(scene.rays_file.empty()
+                          ? "No ray of scene " + scene.name +
+                                " meets the surface: nothing to run; turn the camera, or widen the crop."
+                          : "The file of rays " + scene.rays_file + " holds none: nothing to run.");
   }
   job.pixel_of_ray.reserve(job.trace.rays.size());
   for (const TracedRay& ray : job.trace.rays) {

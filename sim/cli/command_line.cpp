@@ -1,6 +1,7 @@
 #include "sim/cli/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <string>
@@ -18,6 +19,8 @@ namespace {
 constexpr const char* kExitCodes =
     "Exit codes: 0 ok, 1 internal error, 2 usage or configuration, 3 input data, 4 no forward progress,\n"
     "5 verification mismatch, 6 resource limit, 7 incomplete, 75 try again.\n";
+
+constexpr const char* kQuiet = "No progress and no remarks";
 
 struct Leaf {
   CLI::App* app;
@@ -49,6 +52,25 @@ struct Leaf {
   const std::string near = did_you_mean(found.substr(0, found.find('=')), views);
   throw usage_error("`cuesta " + verb + "` has no option `" + printable(found) + "`; accepted are " +
                     joined(views) + (near.empty() ? "." : near));
+}
+
+/// What no option took, but for the `--` before which options end.
+std::vector<std::string> extras_of(const CLI::App& app) {
+  std::vector<std::string> extras = app.remaining();
+  const auto mark = std::find(extras.begin(), extras.end(), "--");
+  if (mark != extras.end()) extras.erase(mark);
+  return extras;
+}
+
+void check_given_once(const CLI::App& app, const std::string& verb) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::vector<std::string>& given = option->results();
+    if (static_cast<int>(given.size()) <= std::max(option->get_items_expected_max(), 1)) continue;
+    const std::vector<std::string_view> values(given.begin(), given.end());
+    throw usage_error("`cuesta " + verb + "`: " + option->get_name() + " is given " +
+                      std::to_string(given.size()) + " times (" + printable(joined(values), 200) +
+                      "); accepted is one.");
+  }
 }
 
 /// The words of the command line that are no options: the verb, perhaps misspelt. Gives what the options are of.
@@ -99,7 +121,7 @@ std::string closing_sentence(const std::string& words) {
   return "`" + words + " VERB --help` says more, with an example.\n" + kExitCodes;
 }
 
-CLI::App* app_of(CLI::App& program, const Verb& verb, std::map<std::string, CLI::App*>& groups) {
+CLI::App* app_of(CLI::App& program, const Verb& verb, std::map<std::string, CLI::App*>& groups, bool& quiet) {
   const std::string name(verb.name);
   const size_t space = name.find(' ');
   if (space == std::string::npos) return program.add_subcommand(name, std::string(verb.sentence));
@@ -109,6 +131,7 @@ CLI::App* app_of(CLI::App& program, const Verb& verb, std::map<std::string, CLI:
     parent = program.add_subcommand(group, std::string(group_sentence(group)));
     parent->require_subcommand(1);
     parent->failure_message(CLI::FailureMessage::simple);
+    parent->add_flag("-q,--quiet", quiet, kQuiet);
     parent->footer(closing_sentence("cuesta " + group));
   }
   return parent->add_subcommand(name.substr(space + 1), std::string(verb.sentence));
@@ -131,10 +154,10 @@ int run_command_line(int count, const char* const* arguments) {
   std::vector<Leaf> leaves;
   std::map<std::string, CLI::App*> groups;
   for (const Verb& verb : verbs()) {
-    CLI::App* app = app_of(program, verb, groups);
+    CLI::App* app = app_of(program, verb, groups, session.quiet);
     app->footer("Example:\n  " + std::string(verb.example) + "\n");
     app->allow_extras();
-    app->add_flag("-q,--quiet", session.quiet, "No progress and no remarks");
+    app->add_flag("-q,--quiet", session.quiet, kQuiet);
     leaves.push_back({app, verb.make()});
     Options options(*app);
     leaves.back().command->declare(options);
@@ -151,16 +174,17 @@ int run_command_line(int count, const char* const* arguments) {
       if (!leaves[k].app->parsed()) continue;
       where = "cuesta " + std::string(verbs()[k].name);
       // A misspelt option often shows as something else that is missing.
-      for (const std::string& extra : leaves[k].app->remaining()) {
+      for (const std::string& extra : extras_of(*leaves[k].app)) {
         if (extra.starts_with("-")) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extra);
       }
+      check_given_once(*leaves[k].app, std::string(verbs()[k].name));
     }
     if (where.empty()) refuse_unknown_verb(program, "");
     throw usage_error("`" + where + "`: " + error.what() + "; `" + where + " --help` says what is accepted.");
   }
   for (size_t k = 0; k < leaves.size(); ++k) {
     if (!leaves[k].app->parsed()) continue;
-    const std::vector<std::string> extras = leaves[k].app->remaining();
+    const std::vector<std::string> extras = extras_of(*leaves[k].app);
     if (!extras.empty()) refuse_extra(*leaves[k].app, std::string(verbs()[k].name), extras.front());
     for (const CLI::Option* option : leaves[k].app->get_options()) {
       if (option->get_positional()) continue;

@@ -78,6 +78,14 @@ TEST_F(CommandLine, RaysFromAFileGiveTheDigestOfTheScene) {
             Json::parse(read("b/result.json"))["runs"][0]["digest"]);
 }
 
+TEST_F(CommandLine, AFileWithoutRaysIsCalledSo) {
+  write("small.toml", kSmallScene);
+  ASSERT_EQ(cuesta({"trace", "small.toml", "-q", "-o", "all.csv"}).code, 0);
+  const std::string all = read("all.csv");
+  write("none.csv", all.substr(0, all.find('\n', all.find('\n') + 1) + 1));
+  expect_refusal(cuesta({"run", "small.toml", "--rays", "none.csv", "-q"}), 3, "none.csv holds none", "none");
+}
+
 TEST_F(CommandLine, HeightmapOptionTakesAnImageAndAChannel) {
   ASSERT_EQ(cuesta({"heightmap", "make", "rocks", "-o", "own.png"}).code, 0);
   const ProgramResult result =

@@ -21,6 +21,10 @@ TEST_F(CommandLine, WrongUsageEndsWithTwoAndTheNearestName) {
       {{"list", "paramters"}, "did you mean `parameters`?"},
       {{"run", "default", "--algoritm", "dda"}, "did you mean `--algorithm`?"},
       {{"run", "--algoritm", "dda"}, "did you mean `--algorithm`?"},
+      {{"run", "default", "--arch", "tiny", "--arch", "mobile"},
+       "`cuesta run`: --arch is given 2 times (tiny, mobile); accepted is one."},
+      {{"run", "default", "--size", "8", "--size", "9"}, "--size is given 2 times (8, 9); accepted is one."},
+      {{"run", "--", "-x"}, "`-x`"},
       {{"run", "default", "extra"}, "does not know what to do with `extra`"},
       {{"run"}, "No scene is given"},
       {{"run", ""}, "No scene is given"},
@@ -152,6 +156,16 @@ TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
   }
   EXPECT_EQ(cuesta({"--help"}).code, 0);
   EXPECT_EQ(cuesta({"--version"}).out.rfind("cuesta ", 0), 0u);
+}
+
+TEST_F(CommandLine, TwoDashesEndTheOptionsAndQuietStandsAnywhere) {
+  write("small.toml", kSmallScene);
+  for (const Words& words : {Words{"trace", "-q", "-o", "a.csv", "--", "small.toml"},
+                             Words{"rays", "-q", "info", "a.csv"}, Words{"-q", "rays", "info", "a.csv"}}) {
+    const ProgramResult result = cuesta(words);
+    EXPECT_EQ(result.code, 0) << words[0] << ": " << result.err;
+    EXPECT_EQ(result.err, "") << words[0];
+  }
 }
 
 TEST_F(CommandLine, TheLastWordsOfAHelpNameVerbsThatThereAre) {
