@@ -88,6 +88,7 @@ std::string histogram_plot(const Result& result, const RunGroup& group, const st
   const std::string unit = definition == nullptr ? "" : std::string(definition->unit);
   LinePlot plot;
   std::string title = name;
+  std::replace(title.begin(), title.end(), '_', ' ');
   title[0] = static_cast<char>(title[0] >= 'a' && title[0] <= 'z' ? title[0] - 'a' + 'A' : title[0]);
   plot.title = defined(name, title + " of a ray", shown);
   plot.remark = "Share of the rays in each bin; horizontal: " + escape(unit) + ", logarithmic";
