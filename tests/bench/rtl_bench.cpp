@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -117,6 +118,26 @@ void run(benchmark::State& state, Case& c, bool rtl) {
   state.counters["cycles/s"] = c.speeds[rtl].back();
 }
 
+/// Clock ticks of all processors since the host's start: what another guest took of them, and all; 0, 0 where the system
+/// does not say.
+struct HostTicks {
+  double stolen = 0, all = 0;
+
+  static HostTicks now() {
+    HostTicks ticks;
+    std::ifstream file("/proc/stat");
+    std::string cpu;
+    file >> cpu;
+    constexpr int kStolen = 7, kColumns = 8;  // user, nice, system, idle, iowait, irq, softirq, steal
+    double column = 0;
+    for (int k = 0; k < kColumns && file >> column; ++k) {
+      ticks.all += column;
+      if (k == kStolen) ticks.stolen = column;
+    }
+    return ticks;
+  }
+};
+
 void print_table(const std::vector<Case>& cases) {
   std::printf("\nSimulated Mcycles/s of one thread, hmt_top as mobile, no waves\n");
   std::printf("%-22s %9s %5s | model %6s %6s | RTL %6s %6s | %9s\n", "workload", "cycles", "runs", "median",
@@ -158,7 +179,13 @@ int main(int argc, char** argv) {
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  const auto before = cuesta::HostTicks::now();
   benchmark::RunSpecifiedBenchmarks();
   cuesta::print_table(cases);
+  const auto after = cuesta::HostTicks::now();
+  if (after.stolen > before.stolen) {
+    std::printf("other guests of this host took %.0f %% of the processors' time\n",
+                100 * (after.stolen - before.stolen) / (after.all - before.all));
+  }
   return 0;
 }
