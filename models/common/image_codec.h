@@ -70,11 +70,12 @@ class ImageCodec {
                                               const ImageLayout& layout, std::string& fault) const = 0;
 };
 
-/// OpenImageIO, from cuesta_images.so in the program's folder or, for the programs of a build tree, in one above it.
-/// Throws Error(kResource) where the module is not there or cannot be loaded.
+/// OpenImageIO, from cuesta_images.so in the program's folder; for other programs of a build tree in the tree's top, where
+/// it has the program's owner. Throws Error(kResource) where the module is not there, cannot be loaded or is of another
+/// version.
 const ImageCodec& image_codec();
 
-/// Throws as image_codec() does where the module is not there, without loading it: for asking before the work.
-void require_image_codec();
+/// Of the classes above; the module and the program must agree on it. Whoever changes the classes counts it up.
+constexpr int kImageCodecVersion = 1;
 
 }  // namespace cuesta

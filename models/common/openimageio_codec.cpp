@@ -116,6 +116,8 @@ class OiioCodec final : public ImageCodec {
     const OIIO::TypeDesc type = in_memory(layout.kind);
     OIIO::ImageSpec spec(layout.width, layout.height, static_cast<int>(layout.channels.size()), type);
     spec.channelnames = layout.channels;
+    // Else EXR and TIFF say when they were written; the same rows are to be the same bytes.
+    if (format != "png") spec.attribute("DateTime", "1970:01:01 00:00:00");
     if (!layout.compression.empty()) spec.attribute("compression", layout.compression);
     if (!output->open(path, spec)) {
       fault = reason(output->geterror());
@@ -128,7 +130,7 @@ class OiioCodec final : public ImageCodec {
 }  // namespace
 }  // namespace cuesta
 
-extern "C" [[gnu::visibility("default")]] const cuesta::ImageCodec* cuesta_image_codec() {
+extern "C" [[gnu::visibility("default")]] const cuesta::ImageCodec* cuesta_image_codec(int version) {
   static const cuesta::OiioCodec codec;
-  return &codec;
+  return version == cuesta::kImageCodecVersion ? &codec : nullptr;
 }

@@ -144,6 +144,7 @@ void RunAheadTraverse::count_bubbles(Cycle until) {
 }
 
 void RunAheadTraverse::drain_until(Cycle end) {
+  record_rays_inside();
   for (slot_ = 0; slot_ < stages_; ++slot_) {
     if (slots_[static_cast<size_t>(slot_)] < 0) count_bubbles(end - counts_.stalls);
   }

@@ -231,12 +231,22 @@ void TraverseUnit::add_bubbles(Counts& counts, Cycle cycles) const {
 TraverseUnit::Counts TraverseUnit::counts_until(Cycle end) const {
   Counts counts = counts_;
   add_bubbles(counts, end - cycle_);
-  std::vector<bool> resident(contexts_.size(), true);
-  for (const int context : free_) resident[static_cast<size_t>(context)] = false;
-  for (size_t context = 0; context < contexts_.size(); ++context) {
-    if (resident[context]) counts.resident_cycles += end - 1 - contexts_[context].entered;
-  }
+  for (const Context* ray : residents()) counts.resident_cycles += end - 1 - ray->entered;
   return counts;
+}
+
+std::vector<const TraverseUnit::Context*> TraverseUnit::residents() const {
+  std::vector<bool> inside(contexts_.size(), true);
+  for (const int context : free_) inside[static_cast<size_t>(context)] = false;
+  std::vector<const Context*> rays;
+  for (size_t context = 0; context < contexts_.size(); ++context) {
+    if (inside[context]) rays.push_back(&contexts_[context]);
+  }
+  return rays;
+}
+
+void TraverseUnit::record_rays_inside() {
+  for (const Context* ray : residents()) timing_[ray->trace].misses = ray->misses;
 }
 
 std::string TraverseUnit::who_waits() const {

@@ -95,6 +95,7 @@ class TraverseUnit {
   int resident() const { return static_cast<int>(contexts_.size() - free_.size()); }
   /// The cycles from where the unit stopped to the machine's last one.
   void drain_until(Cycle end) {
+    record_rays_inside();
     add_bubbles(counts_, end - cycle_);
     cycle_ = end;
   }
@@ -106,6 +107,9 @@ class TraverseUnit {
   std::string who_waits() const;
 
  protected:
+  /// In a run that was stopped: the misses so far of rays that have not ended.
+  void record_rays_inside();
+
   struct Context {
     RaySteps steps;        ///< still to do
     uint32_t ray;          ///< position in the machine's order
@@ -115,6 +119,7 @@ class TraverseUnit {
     Cycle sent;
     Cycle entered;
   };
+  std::vector<const Context*> residents() const;
 
   /// The step's next line access; kHit where nothing is to be read.
   HeightL1::Answer access(const Context& ray, int context) {

@@ -64,7 +64,7 @@ class CompareCommand : public Command {
     // Every scene file is read and the folder is made before the work, so that a fault shows at once.
     const std::vector<std::string> names = scene_names(changes);
     const std::string stem = names.size() == 1 ? names[0] : std::to_string(names.size()) + "-scenes";
-    require_image_codec();  // for the planes
+    image_codec();  // for the planes: what cannot be loaded is found before the work
     ResultFolder folder = open_result_folder(options_, stem + "-compare");
     std::optional<Error> failure;
     for (const std::string& scene : scenes_) {

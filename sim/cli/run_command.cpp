@@ -57,7 +57,7 @@ class RunCommand : public Command {
     check_surface(changed_scene(scene, changes), algorithms[0], machines[0].architecture);
     Result result = begin_result("run", session);
     result.manifest.environment.emplace_back("simulation_host", options_.host);
-    require_image_codec();  // for the planes
+    image_codec();  // for the planes: what cannot be loaded is found before the work
     ResultFolder folder = open_result_folder(
         options_, changed_scene(scene, changes).name + "-" + folder_name(algorithms[0].id));
     const Job job = prepare_job(scene, changes, watched(session, "making rays", 0));

@@ -186,6 +186,7 @@ class VerifyRtlCommand : public Command {
     }
     totals.add(result);
     if (!result.equal()) fail(session, one, result, totals);
+    if (result.stuck) refuse_standstill(*result.stuck);
     return finish(totals, result.stopped);
   }
 
@@ -215,11 +216,18 @@ class VerifyRtlCommand : public Command {
         const LockstepResult result = future.get();
         totals.add(result);
         if (!result.equal()) fail(session, one, result, totals);
+        if (result.stuck) refuse_standstill(*result.stuck);
       }
       stopped = !bar.update(totals.rays);
     }
     sets_compared_ = sets.size();
     return finish(totals, stopped);
+  }
+
+  [[noreturn]] static void refuse_standstill(const Error& stuck) {
+    throw Error(stuck.code(), "verify rtl: no difference, but model and RTL alike stand still: " +
+                                  std::string(stuck.what()) +
+                                  (std::string_view(stuck.what()).ends_with(".") ? "" : "."));
   }
 
   ExitCode finish(const Totals& totals, bool stopped) const {

@@ -74,8 +74,10 @@ std::vector<Difference> Comparison::until(Cycle end) {
   }
   compare_counters(false, end);
   compare("machine.done", end - 1, left_.done(), right_.done());
-  if (left_.stuck() != right_.stuck()) {
-    auto text = [](const LockstepRig& rig) { return rig.stuck().empty() ? "goes on" : rig.stuck(); };
+  // Model and hardware say it in their own words.
+  const auto code = [](const LockstepRig& rig) { return rig.stuck() ? rig.stuck()->code() : ExitCode::kOk; };
+  if (code(left_) != code(right_)) {
+    auto text = [](const LockstepRig& rig) { return rig.stuck() ? rig.stuck()->what() : "goes on"; };
     add("machine.progress", end - 1, text(left_), text(right_));
   }
   return found();

@@ -43,8 +43,8 @@ class Pair {
   }
   std::vector<Difference> at_the_end(Cycle end) { return comparison_->at_the_end(end); }
   bool done() const { return left_->done() && right_->done(); }
-  /// Both have given up, in the same words.
-  bool stuck() const { return !left_->stuck().empty(); }
+  /// Both have given up, where they are equal; nullopt: they go on.
+  const std::optional<Error>& stuck() const { return left_->stuck(); }
   uint64_t rays() const { return std::min(left_->machine().completed(), right_->machine().completed()); }
   Cycle cycles() const { return left_->machine().cycles(); }
   uint64_t requests() const { return comparison_->requests(); }
@@ -84,7 +84,8 @@ LockstepResult run_lockstep(const LockstepCase& one, const LockstepSide& left, c
     std::vector<Difference> first = first_differences(one, left, right, end - block, end);
     if (!first.empty()) result.differences = std::move(first);
   }
-  if (result.equal() && !result.stopped) result.differences = pair.at_the_end(end);
+  if (result.equal()) result.stuck = pair.stuck();
+  if (result.equal() && !result.stuck && !result.stopped) result.differences = pair.at_the_end(end);
   result.rays = pair.rays();
   result.requests = pair.requests();
   result.cycles = pair.done() ? pair.cycles() : end;

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "models/common/error.h"
 #include "sim/lockstep/difference.h"
 #include "sim/lockstep/lockstep_case.h"
 
@@ -16,6 +18,7 @@ struct LockstepResult {
   Cycle cycles = 0;                     ///< run through by each
   std::vector<Difference> differences;  ///< all of the first cycle with one, causes first; empty: equal
   bool stopped = false;                 ///< by `watch`, before the end
+  std::optional<Error> stuck;  ///< both alike moved no more, or did what no machine may: the words of `left`
 
   bool equal() const { return differences.empty(); }
 };

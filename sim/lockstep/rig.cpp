@@ -72,7 +72,7 @@ LockstepRig::LockstepRig(const LockstepCase& one, const LockstepMachine& machine
 
 void LockstepRig::advance(Cycle end) {
   try {
-    while (stuck_.empty() && now_ < end) {
+    while (!stuck_ && now_ < end) {
       const Cycle next = memory_ ? std::min(end, now_ + machine_->window()) : end;
       if (memory_) feed(next);
       machine_->advance(next);
@@ -80,7 +80,7 @@ void LockstepRig::advance(Cycle end) {
     }
   } catch (const Error& error) {
     if (error.code() != ExitCode::kNoProgress && error.code() != ExitCode::kMismatch) throw;
-    stuck_ = error.what();
+    stuck_ = error;
   }
 }
 

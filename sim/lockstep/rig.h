@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "models/common/error.h"
 #include "models/heightmap/texel_layout.h"
 #include "sim/cycle_machine.h"
 #include "sim/lockstep/lockstep_case.h"
@@ -37,8 +38,8 @@ class LockstepRig {
   void step_by(Cycle cycles) { machine_->step_by(cycles); }
 
   bool done() const { return machine_->done(); }
-  /// What was said of it; empty: it goes on.
-  const std::string& stuck() const { return stuck_; }
+  /// What was said of it; nullopt: it goes on.
+  const std::optional<Error>& stuck() const { return stuck_; }
   const CycleMachine& machine() const { return *machine_; }
   std::vector<PortLog>& logs() { return logs_; }
   const TexelLayout& layout() const { return layout_; }
@@ -62,7 +63,7 @@ class LockstepRig {
   size_t arrived_ = 0;
   Cycle next_arrival_ = 0;
   bool ended_ = false;
-  std::string stuck_;
+  std::optional<Error> stuck_;
 };
 
 }  // namespace cuesta

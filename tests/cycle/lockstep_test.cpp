@@ -50,6 +50,7 @@ TEST(Lockstep, EqualMachinesDifferNowhereAndTakeTheCyclesOfTheMachineAlone) {
     const LockstepCase one = random_rtl_case({}, seed, 120);
     const LockstepResult result = run_lockstep(one, kPlain, {"right", {}});
     ASSERT_TRUE(result.equal()) << report(result.differences, {"left", "right"}) << describe(one);
+    ASSERT_FALSE(result.stuck) << describe(one);
     EXPECT_EQ(result.rays, one.rays.size());
     EXPECT_FALSE(result.stopped);
     outside += one.machine.memory.has_value();

@@ -110,6 +110,8 @@ TEST_F(CommandLine, WithoutTheModuleBesideItTheProgramRefusesImagesBeforeTheWork
   EXPECT_FALSE(std::filesystem::exists(path("map.png")));
   write("cuesta_images.so", "not a library");
   expect_refusal(run(make), 6, "Images cannot be read or written: ", "a broken module");
+  expect_refusal(run({"run", "small.toml", "-o", "a"}), 6, "Images cannot", "a broken module");
+  EXPECT_FALSE(std::filesystem::exists(path("a")));
   std::filesystem::copy_file(std::filesystem::path(CUESTA_PROGRAM).parent_path() / "cuesta_images.so",
                              path("cuesta_images.so"), std::filesystem::copy_options::overwrite_existing);
   const ProgramResult made = run(make);

@@ -50,6 +50,22 @@ TEST_F(VerifyRtl, RaysAloneRunOverTheDefaultScenesHeights) {
                  "a missing trace");
 }
 
+TEST_F(VerifyRtl, AStandstillOfBothIsNoDifference) {
+  for (const Words& slow :
+       {Words{"--memory", "3:2000,2000,4"}, Words{"--set", "dram.response_latency_cycles=10000"},
+        Words{"--stalls", "7:999,999,0,999,999,999,999,999"}}) {
+    Words words{"verify", "rtl", "front", "--size", "16", "-q", "--set", "machine.no_progress_cycles=1000",
+                "-o",     "no"};
+    words.insert(words.end(), slow.begin(), slow.end());
+    const ProgramResult result = cuesta(words);
+    EXPECT_EQ(result.code, 4) << slow[1] << result.out;
+    EXPECT_NE(result.err.find("model and RTL alike stand still: no step was finished for 1000 cycles"),
+              std::string::npos)
+        << result.err;
+    EXPECT_FALSE(std::filesystem::exists(path("no")));
+  }
+}
+
 TEST_F(VerifyRtl, WhatCannotBeComparedIsRefused) {
   std::filesystem::create_directory(path("full"));
   write("full/mine", "kept");

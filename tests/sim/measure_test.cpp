@@ -16,12 +16,12 @@
 namespace cuesta {
 namespace {
 
-Job job_on(int width, int height, AddressMode mode) {
+Job job_on(int width, int height, AddressMode mode, uint64_t rays = 300) {
   Job job;
   job.scene.name = "made";
   job.pyramid = build_max_pyramid(generate("rocks", width, height, 8, 3));
   job.map = {width, height, job.pyramid.root_level(), 8, mode};
-  job.trace = make_ray_set({"stratified", 300, 7}, job.map);
+  job.trace = make_ray_set({"stratified", rays, 7}, job.map);
   for (const TracedRay& ray : job.trace.rays) {
     job.pixel_of_ray.push_back(ray.pixel_y * static_cast<uint32_t>(job.trace.width) + ray.pixel_x);
   }
@@ -176,6 +176,31 @@ TEST(Measurer, HardwareThatReturnsAWrongRecordEndsTheRunWithItsPixel) {
     const std::string place =
         "(" + std::to_string(pixel % width) + ", " + std::to_string(pixel / width) + ")";
     EXPECT_NE(text.find("record of ray 123, pixel " + place), std::string::npos) << text;
+  }
+}
+
+TEST(Measurer, CostsOfPixelsAddUpInARunThatIsStoppedToo) {
+  const Job job = job_on(256, 256, AddressMode::kWrap, 60'000);
+  const Architecture machine;
+  const std::vector<MachineRay> rays = machine_rays(job, number_format(machine.traverse, job.map));
+  const Workload work = workload_of(job, rays, *find_algorithm("dda"));
+  const auto stop = [](uint64_t finished, uint64_t) { return finished == 0; };
+  for (const Outcome& outcome : {run_cycle(work, machine, stop), run_transaction(work, machine, stop)}) {
+    ASSERT_GT(outcome.finished_rays, 0u);
+    ASSERT_LT(outcome.finished_rays, rays.size());
+    const Counters& counters = outcome.measurements.counters;
+    const std::pair<const char*, int64_t> totals[] = {
+        {"plane.steps", counters.get("machine.steps")},
+        {"plane.issue_slots", counters.get("machine.cycles")},
+        {"plane.l1_misses", counters.sum("height_l1", "misses")},
+        {"plane.dram_read_bytes", counters.get("dram.read_bytes")},
+        {"plane.dram_write_bytes", counters.get("dram.write_bytes")}};
+    for (const auto& [name, total] : totals) {
+      const auto plane = std::find_if(outcome.measurements.planes.begin(), outcome.measurements.planes.end(),
+                                      [&](const Plane& p) { return p.name == name; });
+      ASSERT_NE(plane, outcome.measurements.planes.end()) << name;
+      EXPECT_EQ(std::accumulate(plane->values.begin(), plane->values.end(), plane->nobody), total) << name;
+    }
   }
 }
 
