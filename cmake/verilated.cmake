@@ -3,6 +3,15 @@ find_package(verilator 5.006 REQUIRED HINTS /usr/share/verilator)
 
 set(CUESTA_TRAVERSE_SV "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv" CACHE FILEPATH
     "The module traverse to verilate: your own with the same ports is held against the model in its place")
+set(CUESTA_OTHER_TRAVERSE OFF)
+if(NOT CUESTA_TRAVERSE_SV STREQUAL "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv")
+  set(CUESTA_OTHER_TRAVERSE ON)
+  if(NOT EXISTS "${CUESTA_TRAVERSE_SV}")
+    message(FATAL_ERROR "CUESTA_TRAVERSE_SV: there is no ${CUESTA_TRAVERSE_SV}; "
+        "-U CUESTA_TRAVERSE_SV takes rtl/traversal/traverse.sv again.")
+  endif()
+  message(STATUS "traverse of hmt_top: ${CUESTA_TRAVERSE_SV}; -U CUESTA_TRAVERSE_SV takes rtl/traversal/traverse.sv again")
+endif()
 set(CUESTA_HMT_TOP_SOURCES
     traversal/ray_setup_engine.sv traversal/ray_setup.sv "${CUESTA_TRAVERSE_SV}" memory/height_l1.sv hmt_top.sv)
 
@@ -39,7 +48,7 @@ function(cuesta_verilated name)
   set(assert)
   if(ARG_ASSERT OR CUESTA_RTL_ASSERT)
     set(assert --assert)
-    if(NOT CUESTA_TRAVERSE_SV STREQUAL "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv")
+    if(CUESTA_OTHER_TRAVERSE)
       list(APPEND assert +define+HMT_OTHER_TRAVERSE)
     endif()
     if(NOT ARG_TOP MATCHES "_assertions$")
@@ -59,7 +68,7 @@ function(cuesta_verilated name)
   list(TRANSFORM ARG_PARAMETERS PREPEND "-G")
   # A user's own module is not held to this project's lint.
   set(lint -Wall)
-  if(NOT CUESTA_TRAVERSE_SV STREQUAL "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv")
+  if(CUESTA_OTHER_TRAVERSE)
     set(lint -Wall -Wno-fatal -Wno-DECLFILENAME)
   endif()
   set(waves)

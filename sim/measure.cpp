@@ -32,8 +32,8 @@ void check_hardware(const Workload& work, const Architecture& architecture,
     const uint32_t pixel = work.pixel_of_ray[k], width = static_cast<uint32_t>(work.width);
     throw Error(ExitCode::kMismatch, run_name + ": the hardware's record of ray " + std::to_string(k) +
                                          ", pixel (" + std::to_string(pixel % width) + ", " +
-                                         std::to_string(pixel / width) + "), is wrong: there the ray " +
-                                         describe(hits[k]) + "; the walk, " + describe(right[k]) +
+                                         std::to_string(pixel / width) + "), is wrong: " + describe(hits[k]) +
+                                         "; the walk's: " + describe(right[k]) +
                                          ". `cuesta verify rtl` finds where they part.");
   }
 }
