@@ -54,7 +54,7 @@ function(cuesta_rtl_set NAME)
   cuesta_verilated(traverse_${NAME} TOP traverse PREFIX Vtraverse_${NAME} WAVES ${assert}
       SOURCES "${CUESTA_TRAVERSE_SV}" PARAMETERS ${of_traverse} AddressBits=32)
   list(JOIN ARG_VALUES ", " VALUES)
-  configure_file("${PROJECT_SOURCE_DIR}/sim/rtl/set.cpp.in" "set_${NAME}.cpp" @ONLY)
+  configure_file("${PROJECT_SOURCE_DIR}/sim/hardware/set.cpp.in" "set_${NAME}.cpp" @ONLY)
   cuesta_library(cuesta_rtl_${NAME} SOURCES "${CMAKE_CURRENT_BINARY_DIR}/set_${NAME}.cpp"
       DEPENDS cuesta_traversal PRIVATE_DEPENDS hmt_top_${NAME} traverse_${NAME})
   target_compile_definitions(cuesta_rtl_${NAME} PRIVATE CUESTA_RTL_WAVES $<$<BOOL:${CUESTA_RTL_COVERAGE}>:CUESTA_RTL_COVERAGE>)

@@ -1,23 +1,23 @@
 # Hardware as a C++ class: the RTL through Verilator.
 find_package(verilator 5.006 REQUIRED HINTS /usr/share/verilator)
 
-set(CUESTA_TRAVERSE_SV "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv" CACHE FILEPATH
+set(CUESTA_TRAVERSE_SV "${PROJECT_SOURCE_DIR}/rtl/traverse/traverse.sv" CACHE FILEPATH
     "The module traverse to verilate: your own with the same ports is held against the model in its place")
 set(CUESTA_OTHER_TRAVERSE OFF)
-if(NOT CUESTA_TRAVERSE_SV STREQUAL "${PROJECT_SOURCE_DIR}/rtl/traversal/traverse.sv")
+if(NOT CUESTA_TRAVERSE_SV STREQUAL "${PROJECT_SOURCE_DIR}/rtl/traverse/traverse.sv")
   set(CUESTA_OTHER_TRAVERSE ON)
   if(NOT EXISTS "${CUESTA_TRAVERSE_SV}")
     message(FATAL_ERROR "CUESTA_TRAVERSE_SV: there is no ${CUESTA_TRAVERSE_SV}; "
-        "-U CUESTA_TRAVERSE_SV takes rtl/traversal/traverse.sv again.")
+        "-U CUESTA_TRAVERSE_SV takes rtl/traverse/traverse.sv again.")
   endif()
-  message(STATUS "traverse of hmt_top: ${CUESTA_TRAVERSE_SV}; -U CUESTA_TRAVERSE_SV takes rtl/traversal/traverse.sv again")
+  message(STATUS "traverse of hmt_top: ${CUESTA_TRAVERSE_SV}; -U CUESTA_TRAVERSE_SV takes rtl/traverse/traverse.sv again")
 endif()
 set(CUESTA_HMT_TOP_SOURCES
-    traversal/ray_setup_engine.sv traversal/ray_setup.sv "${CUESTA_TRAVERSE_SV}" memory/height_l1.sv hmt_top.sv)
+    ray_setup/ray_setup_engine.sv ray_setup/ray_setup.sv "${CUESTA_TRAVERSE_SV}" height_l1/height_l1.sv hmt_top.sv)
 
 set(CUESTA_RTL_ASSERTIONS
-    hmt_top_assertions.sv traversal/ray_setup_assertions.sv traversal/traverse_assertions.sv
-    memory/height_l1_assertions.sv assertions.sv)
+    hmt_top_assertions.sv ray_setup/ray_setup_assertions.sv traverse/traverse_assertions.sv
+    height_l1/height_l1_assertions.sv assertions.sv)
 
 option(CUESTA_RTL_COVERAGE "Count the lines that Verilated hardware runs through: tests/rtl/coverage" OFF)
 

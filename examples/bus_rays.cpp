@@ -8,11 +8,11 @@
 #include <cstdio>
 #include <systemc>
 
-#include "models/traversal/hit_bytes.h"
+#include "models/rays/hit_bytes.h"
 #include "sim/config/architecture_file.h"
 #include "sim/hosts/systemc/dram_target.h"
 #include "sim/hosts/systemc/machine_shell.h"
-#include "sim/job.h"
+#include "sim/session/job.h"
 #include "traces/rays_format.h"
 
 using namespace cuesta;

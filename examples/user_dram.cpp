@@ -12,7 +12,7 @@
 #include "sim/config/architecture_file.h"
 #include "sim/hosts/systemc/machine_shell.h"
 #include "sim/hosts/systemc/ray_feeder.h"
-#include "sim/job.h"
+#include "sim/session/job.h"
 
 using namespace cuesta;
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "models/common/error.h"
-#include "models/common/image_codec.h"
+#include "models/files/image_codec.h"
 #include "reports/result_json.h"
 
 namespace cuesta {

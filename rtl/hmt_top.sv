@@ -5,10 +5,10 @@
 // any order), a register file for configuration, and counters that carry the model's names.
 // Configuration is written while no ray is inside.
 
-`include "traversal/traverse_types.svh"
+`include "traverse/traverse_types.svh"
 
 module hmt_top #(
-`include "traversal/ray_widths.svh"
+`include "common/ray_widths.svh"
     parameter int SetupLatencyCycles = 24,
     parameter int SetupIntervalCycles = 4,
     parameter int SetupQueueDepth = 8,

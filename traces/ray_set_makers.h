@@ -1,7 +1,7 @@
 #pragma once
 
 #include "models/common/random.h"
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 
 namespace cuesta {
 

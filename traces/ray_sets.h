@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 #include "traces/ray_trace.h"
 
 namespace cuesta {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "models/traversal/ray.h"
+#include "models/rays/traced_ray.h"
 
 namespace cuesta {
 

@@ -10,7 +10,7 @@
 #include <new>
 
 #include "models/common/error.h"
-#include "models/common/strict_toml.h"
+#include "models/files/strict_toml.h"
 #include "traces/rays_csv_columns.h"
 
 namespace cuesta {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "models/traversal/ray.h"
+#include "models/rays/traced_ray.h"
 
 namespace cuesta {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "models/traversal/ray.h"
+#include "models/rays/traced_ray.h"
 
 /// The bytes of a `.rays` file, version 1; README.md in this folder is the format's definition for others.
 /// Everything is little-endian. file = file header, then chunks; chunk = chunk header, then one zstd frame that

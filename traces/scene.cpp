@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "models/common/error.h"
-#include "models/common/strict_toml.h"
 #include "models/common/words.h"
+#include "models/files/strict_toml.h"
 #include "models/heightmap/generator.h"
 #include "traces/ray_trace.h"
 

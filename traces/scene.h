@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 #include "traces/heightmaps/image_reader.h"
 #include "traces/ray_sets.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/traversal/ray.h"
+#include "models/rays/traced_ray.h"
 
 namespace cuesta {
 

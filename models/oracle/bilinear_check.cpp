@@ -8,9 +8,9 @@
 #include "models/oracle/bilinear_oracle.h"
 #include "models/oracle/checked_walks.h"
 #include "models/oracle/random_cases.h"
+#include "models/rays/hit_time.h"
+#include "models/rays/map_shape.h"
 #include "models/traversal/bilinear.h"
-#include "models/traversal/hit_time.h"
-#include "models/traversal/map_shape.h"
 
 namespace cuesta {
 namespace {

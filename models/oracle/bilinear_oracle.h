@@ -4,8 +4,8 @@
 
 #include "models/heightmap/height_grid.h"
 #include "models/oracle/traced_ray.h"
-#include "models/traversal/hit.h"
-#include "models/traversal/machine_ray.h"
+#include "models/rays/hit.h"
+#include "models/rays/machine_ray.h"
 
 // The bilinear surface in exact arithmetic. Whether a ray goes below a patch is decided by signs of whole numbers;
 // when, is then bisected as closely as one likes. No code is shared with the traversal.

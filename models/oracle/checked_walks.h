@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "models/algorithms/schedule.h"
 #include "models/oracle/random_cases.h"
-#include "models/traversal/hit.h"
-#include "models/traversal/schedule.h"
+#include "models/rays/hit.h"
 
 // What the checks of traversals share.
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "models/oracle/exact_time.h"
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 
 namespace cuesta {
 

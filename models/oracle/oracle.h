@@ -5,8 +5,8 @@
 
 #include "models/heightmap/height_grid.h"
 #include "models/oracle/exact_ray.h"
-#include "models/traversal/hit.h"
-#include "models/traversal/machine_ray.h"
+#include "models/rays/hit.h"
+#include "models/rays/machine_ray.h"
 
 namespace cuesta {
 

@@ -5,7 +5,7 @@
 #include "models/common/error.h"
 #include "models/oracle/random_cases.h"
 #include "models/oracle/traced_ray.h"
-#include "models/traversal/hit_time.h"
+#include "models/rays/hit_time.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdio>
 
-#include "models/traversal/map_shape.h"
+#include "models/rays/map_shape.h"
 
 namespace cuesta {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "models/common/random.h"
 #include "models/heightmap/height_grid.h"
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 
 namespace cuesta {
 

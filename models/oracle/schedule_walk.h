@@ -4,9 +4,9 @@
 #include <bit>
 #include <cstdint>
 
+#include "models/algorithms/schedule.h"
 #include "models/heightmap/height_grid.h"
 #include "models/oracle/oracle.h"
-#include "models/traversal/schedule.h"
 
 namespace cuesta {
 

@@ -7,9 +7,9 @@
 #include "models/heightmap/pyramid.h"
 #include "models/oracle/checked_walks.h"
 #include "models/oracle/schedule_walk.h"
+#include "models/rays/map_shape.h"
 #include "models/traversal/fetch.h"
 #include "models/traversal/lanes.h"
-#include "models/traversal/map_shape.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "models/heightmap/pyramid.h"
+#include "models/rays/machine_ray.h"
 #include "models/search/feature_search.h"
-#include "models/traversal/machine_ray.h"
 
 // The bytes that a SearchMap adds to the heights, each a pure function of heights and address mode.
 

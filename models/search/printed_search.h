@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "models/search/search.h"
+#include "models/algorithms/search.h"
+#include "models/rays/machine_ray.h"
 #include "models/search/search_map.h"
-#include "models/traversal/machine_ray.h"
 
 // Pyramidal displacement mapping and quadtree displacement mapping as their listings have them, in float, with the
 // faults that come with it: what a robust traversal is worth is measured against this. Nothing is repaired.

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "models/algorithms/search.h"
 #include "models/heightmap/pyramid.h"
 #include "models/heightmap/texel_layout.h"
-#include "models/search/search.h"
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 
 namespace cuesta {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "models/rays/hit.h"
+#include "models/rays/machine_ray.h"
 #include "models/traversal/arithmetic.h"
-#include "models/traversal/hit.h"
-#include "models/traversal/machine_ray.h"
 
 // The part of a ray that an approximate search looks at, and how what it finds is written down.
 

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "models/algorithms/search.h"
+#include "models/rays/hit.h"
 #include "models/search/leaping_search.h"
 #include "models/search/linear_search.h"
 #include "models/search/printed_search.h"
-#include "models/search/search.h"
 #include "models/search/search_map.h"
 #include "models/search/search_ray.h"
 #include "models/search/search_surface.h"
-#include "models/traversal/hit.h"
 
 // The approximate searches' value: what one ray reads, step by step, and what it finds; without time.
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 #include "models/traversal/reciprocal.h"
 
 // The three arithmetics in which a ray can be traversed. Each gives a type of time and a `Line`: a monotone

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 
 // Where a ray is along one axis: which tile, which node. Four forms, chosen by address mode and size: PlainAxis and
 // TiledAxis give the same planes, nodes and steps, one for square powers of two, where a tile's border is a node's

@@ -6,8 +6,8 @@
 
 #include "models/heightmap/pyramid.h"
 #include "models/heightmap/texel_layout.h"
-#include "models/traversal/step_source.h"
 #include "models/traversal/traversal.h"
+#include "models/work/step_source.h"
 
 namespace cuesta {
 

@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 
 namespace cuesta {
 

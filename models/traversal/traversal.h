@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "models/algorithms/schedule.h"
 #include "models/heightmap/pyramid.h"
+#include "models/rays/hit.h"
+#include "models/rays/machine_ray.h"
 #include "models/traversal/arithmetic.h"
 #include "models/traversal/geometry.h"
-#include "models/traversal/hit.h"
-#include "models/traversal/machine_ray.h"
-#include "models/traversal/schedule.h"
 
 // The traversal's value: what one ray does, step by step, without time. `start` is what ray_setup computes,
 // `visit` what traverse computes for one node; both the functional run and the cycle model call them, so a hit

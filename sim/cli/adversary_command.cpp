@@ -6,13 +6,13 @@
 
 #include "models/common/words.h"
 #include "reports/result_folder.h"
-#include "sim/adversary/adversary.h"
-#include "sim/adversary/adversary_files.h"
 #include "sim/cli/heightmap_command.h"
 #include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
+#include "sim/explore/adversary/adversary.h"
+#include "sim/explore/adversary/adversary_files.h"
 
 namespace cuesta {
 namespace {

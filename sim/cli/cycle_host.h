@@ -5,7 +5,7 @@
 
 #include "sim/cli/run_options.h"
 #include "sim/cli/wave_options.h"
-#include "sim/measure.h"
+#include "sim/session/measure.h"
 
 namespace cuesta {
 

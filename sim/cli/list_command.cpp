@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "models/algorithms/schedule.h"
 #include "models/common/words.h"
-#include "models/traversal/schedule.h"
 #include "reports/quantities.h"
 #include "sim/cli/options.h"
 #include "sim/cli/verbs.h"

@@ -11,7 +11,7 @@
 #include "reports/table.h"
 #include "reports/write_result.h"
 #include "sim/cli/standard_output.h"
-#include "sim/host_facts.h"
+#include "sim/session/host_facts.h"
 
 namespace cuesta {
 namespace {

@@ -7,7 +7,7 @@
 #include "reports/result.h"
 #include "reports/result_folder.h"
 #include "sim/cli/run_options.h"
-#include "sim/measure.h"
+#include "sim/session/measure.h"
 
 namespace cuesta {
 

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "models/common/image_codec.h"
+#include "models/files/image_codec.h"
 #include "sim/cli/cycle_host.h"
 #include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
-#include "sim/measure.h"
+#include "sim/session/measure.h"
 
 namespace cuesta {
 namespace {

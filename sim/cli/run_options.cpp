@@ -7,8 +7,8 @@
 #include "models/common/words.h"
 #include "sim/cli/options.h"
 #include "sim/hosts/systemc/systemc_host.h"
-#include "sim/measure.h"
-#include "sim/transaction_run.h"
+#include "sim/machine/transaction_run.h"
+#include "sim/session/measure.h"
 
 namespace cuesta {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "models/traversal/schedule.h"
+#include "models/algorithms/schedule.h"
 #include "sim/cli/command.h"
 #include "sim/config/architecture_file.h"
-#include "sim/job.h"
-#include "sim/machine.h"
+#include "sim/machine/machine.h"
+#include "sim/session/job.h"
 
 namespace cuesta {
 

@@ -12,7 +12,7 @@
 #include "sim/cli/result_output.h"
 #include "sim/cli/standard_output.h"
 #include "sim/cli/verbs.h"
-#include "sim/study/study_runner.h"
+#include "sim/explore/study/study_runner.h"
 
 namespace cuesta {
 namespace {

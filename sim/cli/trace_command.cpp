@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "models/traversal/map_shape.h"
+#include "models/rays/map_shape.h"
 #include "sim/cli/options.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"

@@ -5,7 +5,7 @@
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
 #include "sim/config/architecture_file.h"
-#include "sim/measure.h"
+#include "sim/session/measure.h"
 #include "traces/scene_library.h"
 
 namespace cuesta {

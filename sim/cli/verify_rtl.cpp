@@ -14,10 +14,10 @@
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
-#include "sim/lockstep/case_files.h"
-#include "sim/lockstep/lockstep.h"
-#include "sim/lockstep/rtl_sides.h"
-#include "sim/lockstep/shrink.h"
+#include "sim/verify/lockstep/case_files.h"
+#include "sim/verify/lockstep/lockstep.h"
+#include "sim/verify/lockstep/rtl_sides.h"
+#include "sim/verify/lockstep/shrink.h"
 
 namespace cuesta {
 namespace {

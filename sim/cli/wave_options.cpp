@@ -8,9 +8,9 @@
 
 #include "models/common/error.h"
 #include "models/common/words.h"
-#include "models/dispatch/dispatch_order.h"
+#include "models/units/ray_dispatch/dispatch_order.h"
 #include "sim/cli/options.h"
-#include "sim/cycle_machine.h"
+#include "sim/machine/cycle_machine.h"
 
 namespace cuesta {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "sim/cli/options.h"
-#include "sim/measure.h"
+#include "sim/session/measure.h"
 
 namespace cuesta {
 

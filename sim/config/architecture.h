@@ -1,3 +1,3 @@
 #pragma once
 
-#include "models/architecture.h"
+#include "models/units/architecture.h"

@@ -4,7 +4,7 @@
 #include <bit>
 #include <filesystem>
 
-#include "models/common/strict_toml.h"
+#include "models/files/strict_toml.h"
 #include "sim/config/parameters.h"
 
 namespace cuesta {

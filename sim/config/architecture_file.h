@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "models/architecture.h"
+#include "models/units/architecture.h"
 
 namespace cuesta {
 

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "models/traversal/hit.h"
+#include "models/rays/hit.h"
 #include "sim/config/parameters.h"
 
 namespace cuesta {

@@ -253,7 +253,7 @@ constexpr auto kParameters = std::to_array<Parameter>({
     inert(name<&A::units, &UnitParameters::traverse>("units.traverse", kImplementations, kTime,
                                                      "What stands in the place of traverse, between the "
                                                      "model's ray_setup and height_l1: the model, or "
-                                                     "rtl/traversal/traverse.sv, Verilated.",
+                                                     "rtl/traverse/traverse.sv, Verilated.",
                                                      kOurs),
           kEqual),
 });

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "models/architecture.h"
+#include "models/units/architecture.h"
 
 namespace cuesta {
 

@@ -6,9 +6,9 @@
 
 #include "models/common/error.h"
 #include "models/heightmap/generator.h"
-#include "models/traversal/map_shape.h"
+#include "models/rays/map_shape.h"
 #include "sim/config/architecture_file.h"
-#include "sim/machine.h"
+#include "sim/machine/machine.h"
 #include "traces/heightmaps/height_source_text.h"
 #include "traces/parallel_view.h"
 #include "traces/scene_heights.h"

@@ -11,8 +11,8 @@
 #include "models/common/elementary.h"
 #include "models/heightmap/generator.h"
 #include "models/heightmap/pyramid.h"
-#include "models/traversal/machine_ray.h"
-#include "sim/machine.h"
+#include "models/rays/machine_ray.h"
+#include "sim/machine/machine.h"
 
 // How steps, time and memory grow with the map: sides 256, 512 ... 16384 of one kind of map, 16 bits, 256 x 256
 // parallel rays at 75 degrees from the normal over one tile of depth 0.1, functional, fixed point, every algorithm.

@@ -12,8 +12,8 @@
 #include "models/common/elementary.h"
 #include "models/common/random.h"
 #include "models/heightmap/generator.h"
-#include "sim/cycle_machine.h"
-#include "sim/rtl/verilated_hmt_top.h"
+#include "sim/hardware/verilated_hmt_top.h"
+#include "sim/machine/cycle_machine.h"
 
 // Simulated cycles per second of one thread: the machine, and the same machine with the Verilated hmt_top in the place
 // of its units (mobile, no waves), and their ratio, per workload: rays that come down on the map or graze it; coherent

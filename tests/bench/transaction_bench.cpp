@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "models/dispatch/dispatch_order.h"
+#include "models/units/ray_dispatch/dispatch_order.h"
+#include "models/work/traversal_source.h"
 #include "sim/config/architecture_file.h"
-#include "sim/cycle_machine.h"
-#include "sim/job.h"
-#include "sim/traversal_source.h"
+#include "sim/machine/cycle_machine.h"
+#include "sim/session/job.h"
 #include "traces/scene_library.h"
 
 // Fidelity transaction against cycle, in one process, one run after the other: error of the cycle estimate and of the

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "models/algorithms/schedule.h"
 #include "models/heightmap/generator.h"
 #include "models/heightmap/pyramid.h"
-#include "models/traversal/schedule.h"
 #include "sim/config/architecture_file.h"
-#include "sim/machine.h"
+#include "sim/machine/machine.h"
 #include "traces/front_end.h"
 #include "traces/scene_library.h"
 

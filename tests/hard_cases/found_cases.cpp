@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "models/common/strict_toml.h"
+#include "models/files/strict_toml.h"
 
 namespace cuesta {
 namespace {

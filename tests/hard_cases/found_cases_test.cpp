@@ -6,9 +6,9 @@
 #include <cstdio>
 
 #include "models/common/error.h"
-#include "sim/adversary/adversary_score.h"
 #include "sim/config/architecture_file.h"
-#include "sim/job.h"
+#include "sim/explore/adversary/adversary_score.h"
+#include "sim/session/job.h"
 #include "tests/hard_cases/hard_check.h"
 
 // What the adversary has found: as bad as it was, and no worse for any other algorithm's exactness.

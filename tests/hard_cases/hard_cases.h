@@ -6,7 +6,7 @@
 
 #include "models/common/random.h"
 #include "models/heightmap/height_grid.h"
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 
 // The catalogue of hard cases: a case is a map, an address mode, a number format and a family of rays. README.md lists
 // them and is held against these tables.

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "models/algorithms/schedule.h"
 #include "models/heightmap/pyramid.h"
 #include "models/oracle/oracle.h"
 #include "models/oracle/random_cases.h"
 #include "models/oracle/verdict.h"
+#include "models/rays/hit.h"
 #include "models/search/search_map.h"
-#include "models/traversal/hit.h"
-#include "models/traversal/schedule.h"
 
 namespace cuesta {
 

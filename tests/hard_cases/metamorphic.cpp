@@ -9,8 +9,8 @@
 #include "models/heightmap/pyramid.h"
 #include "models/oracle/checked_walks.h"
 #include "models/oracle/random_cases.h"
+#include "models/rays/map_shape.h"
 #include "models/search/search_map.h"
-#include "models/traversal/map_shape.h"
 #include "models/traversal/traversal.h"
 
 namespace cuesta {

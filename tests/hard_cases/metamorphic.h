@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
+#include "models/algorithms/schedule.h"
 #include "models/common/random.h"
 #include "models/heightmap/height_grid.h"
-#include "models/traversal/hit.h"
-#include "models/traversal/machine_ray.h"
-#include "models/traversal/schedule.h"
+#include "models/rays/hit.h"
+#include "models/rays/machine_ray.h"
 
 // Metamorphic relations: what must become of a hit when map and ray are changed together. On rays as the machine takes
 // them, so that nothing is rounded between the two sides.

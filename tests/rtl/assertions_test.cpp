@@ -128,7 +128,7 @@ TEST(Assertions, OfRaySetupEachFire) {
   }
   std::vector<Cycle<V>> early = times<V>(kLatency - 2, inside, {offered});
   early.insert(early.begin(), enter);
-  check<V>("rtl/traversal/ray_setup_assertions.sv", quiet,
+  check<V>("rtl/ray_setup/ray_setup_assertions.sv", quiet,
            {{"context_stays_until_taken", offered_then([](V& v) { v.out_valid_i = 0; })},
             {"context_is_stable", offered_then([](V& v) { v.out_i = 1; })},
             {"queue_never_overflows", overflow},
@@ -149,7 +149,7 @@ TEST(Assertions, OfTraverseEachFire) {
   };
   const Cycle<V> one = [](V& v) { v.resident_i = 0b10, v.fill_i = 1, v.select_context_i = v.context_i = 1; };
   check<V>(
-      "rtl/traversal/traverse_assertions.sv", quiet,
+      "rtl/traverse/traverse_assertions.sv", quiet,
       {{"at_most_contexts_resident", {[](V& v) { v.resident_i = ~0u, v.fill_i = 33; }}},
        {"fill_counts_the_residents", {one, [](V& v) { v.fill_i = 2; }}},
        {"selected_ray_is_resident", {one, [](V& v) { v.ended_i = 1, v.select_context_i = 2; }}},
@@ -179,7 +179,7 @@ TEST(Assertions, OfHeightL1EachFire) {
   const Cycle<V> pending = [](V& v) { v.taken_i = v.pending_i = 0b1, v.mshr_fill_i = 1; };
   const Cycle<V> landed = [](V& v) { v.taken_i = 0b1, v.mshr_fill_i = v.landed_fill_i = 1; };
   const Cycle<V> replay_waits = [](V& v) { v.replay_valid_i = 1; };
-  check<V>("rtl/memory/height_l1_assertions.sv", quiet,
+  check<V>("rtl/height_l1/height_l1_assertions.sv", quiet,
            {{"replay_stays_until_taken", {replay_waits, [](V& v) { v.replay_valid_i = 0; }}},
             {"replay_is_stable", {replay_waits, [](V& v) { v.replay_context_i = 1; }}},
             {"lookup_has_one_answer", {[](V& v) { v.lookup_i = v.hit_i = v.miss_i = 1; }}},

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "sim/lockstep/lockstep.h"
-#include "sim/lockstep/rtl_sides.h"
+#include "sim/verify/lockstep/lockstep.h"
+#include "sim/verify/lockstep/rtl_sides.h"
 #include "tests/support/temporary_folder.h"
 
 // The Verilated hardware in the machine's place of its units against the model: every ray's entry, memory request and

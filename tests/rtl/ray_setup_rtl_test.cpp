@@ -11,10 +11,10 @@
 #include "models/common/random.h"
 #include "models/oracle/random_cases.h"
 #include "models/traversal/traversal.h"
-#include "sim/rtl/verilated_unit.h"
+#include "sim/hardware/verilated_unit.h"
 #include "tests/twins/ray_setup_twin.h"
 
-// rtl/traversal/ray_setup.sv against `start` of models/traversal/traversal.h for the value and against the ticking
+// rtl/ray_setup/ray_setup.sv against `start` of models/traversal/traversal.h for the value and against the ticking
 // twin for the time, under random stalls on both ports.
 
 namespace cuesta {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "models/heightmap/height_grid.h"
-#include "models/traversal/map_shape.h"
+#include "models/rays/map_shape.h"
 
 namespace cuesta {
 

@@ -11,7 +11,7 @@
 
 #include "models/common/error.h"
 #include "models/common/random.h"
-#include "models/traversal/map_shape.h"
+#include "models/rays/map_shape.h"
 #include "traces/front_end.h"
 #include "traces/ray_trace.h"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "models/architecture.h"
-#include "models/common/port_stalls.h"
+#include "models/units/architecture.h"
+#include "models/units/ports/port_stalls.h"
 
 namespace cuesta::twins {
 

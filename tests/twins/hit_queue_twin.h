@@ -5,7 +5,7 @@
 #include <deque>
 #include <optional>
 
-#include "models/architecture.h"
+#include "models/units/architecture.h"
 
 // Ticking twins: one class per unit, evaluated in every cycle. What a unit shows is its state at the end of the
 // cycle before; what a cycle changes is noted and takes effect in commit(), at the cycle's end.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "models/dispatch/dispatch_order.h"
-#include "sim/cycle_machine.h"
+#include "models/units/ray_dispatch/dispatch_order.h"
+#include "sim/machine/cycle_machine.h"
 
 namespace cuesta::twins {
 namespace {

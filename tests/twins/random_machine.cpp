@@ -8,7 +8,7 @@
 #include "models/common/random.h"
 #include "models/oracle/random_cases.h"
 #include "sim/config/parameters.h"
-#include "sim/lockstep/random_architecture.h"
+#include "sim/verify/lockstep/random_architecture.h"
 
 namespace cuesta::twins {
 namespace {

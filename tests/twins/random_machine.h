@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "models/architecture.h"
-#include "models/common/port_stalls.h"
+#include "models/algorithms/schedule.h"
 #include "models/heightmap/pyramid.h"
-#include "models/traversal/schedule.h"
-#include "sim/machine.h"
+#include "models/units/architecture.h"
+#include "models/units/ports/port_stalls.h"
+#include "sim/machine/machine.h"
 
 namespace cuesta::twins {
 

@@ -3,8 +3,8 @@
 #include <deque>
 #include <optional>
 
-#include "models/architecture.h"
-#include "models/common/port_stalls.h"
+#include "models/units/architecture.h"
+#include "models/units/ports/port_stalls.h"
 
 namespace cuesta::twins {
 

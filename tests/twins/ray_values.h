@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "models/architecture.h"
 #include "models/heightmap/pyramid.h"
+#include "models/rays/hit.h"
 #include "models/search/search_map.h"
-#include "models/traversal/hit.h"
 #include "models/traversal/traversal.h"
+#include "models/units/architecture.h"
 
 namespace cuesta::twins {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "models/architecture.h"
-#include "models/common/port_stalls.h"
-#include "models/traversal/hit.h"
+#include "models/rays/hit.h"
+#include "models/units/architecture.h"
+#include "models/units/ports/port_stalls.h"
 #include "tests/twins/hit_queue_twin.h"
 
 namespace cuesta::twins {

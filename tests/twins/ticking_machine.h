@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "models/architecture.h"
-#include "models/common/port_stalls.h"
-#include "models/traversal/hit.h"
+#include "models/rays/hit.h"
+#include "models/units/architecture.h"
+#include "models/units/ports/port_stalls.h"
 #include "tests/twins/dram_twin.h"
 #include "tests/twins/height_l1_twin.h"
 #include "tests/twins/hit_queue_twin.h"

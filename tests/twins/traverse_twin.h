@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "models/architecture.h"
-#include "models/common/port_stalls.h"
+#include "models/units/architecture.h"
+#include "models/units/ports/port_stalls.h"
 #include "tests/twins/height_l1_twin.h"
 #include "tests/twins/hit_queue_twin.h"
 #include "tests/twins/ray_setup_twin.h"

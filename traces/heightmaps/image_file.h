@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "models/common/image_codec.h"
+#include "models/files/image_codec.h"
 
 namespace cuesta {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/common/error.h"
-#include "models/common/image_codec.h"
+#include "models/files/image_codec.h"
 
 namespace cuesta {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "models/common/sample_type.h"
+#include "models/files/sample_type.h"
 
 namespace cuesta {
 

@@ -8,13 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "models/architecture.h"
-#include "models/memory/dram.h"
+#include "models/units/architecture.h"
+#include "models/units/dram/dram.h"
 #include "sim/hosts/systemc/machine_clock.h"
 
 namespace cuesta::systemc {
 
-/// The machine's own dram (models/memory/dram.h) behind a target socket: with it the machine runs cycle for cycle as
+/// The machine's own dram (models/units/dram/dram.h) behind a target socket: with it the machine runs cycle for cycle as
 /// in the direct host. Four phases: a request is accepted at once, its response begins when dram has the data; two
 /// responses of one time begin in the order of their requests. b_transport and the debug transport work as well.
 class DramTarget : public sc_core::sc_module {

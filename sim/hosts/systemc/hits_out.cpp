@@ -1,6 +1,6 @@
 #include "sim/hosts/systemc/hits_out.h"
 
-#include "models/traversal/hit_bytes.h"
+#include "models/rays/hit_bytes.h"
 
 namespace cuesta::systemc {
 

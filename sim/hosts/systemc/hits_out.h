@@ -5,7 +5,7 @@
 #include <systemc>
 #include <tlm>
 
-#include "models/traversal/hit.h"
+#include "models/rays/hit.h"
 
 namespace cuesta::systemc {
 

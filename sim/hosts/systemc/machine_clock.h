@@ -5,7 +5,7 @@
 #include <systemc>
 
 #include "models/common/error.h"
-#include "models/common/port_stalls.h"
+#include "models/units/ports/port_stalls.h"
 
 namespace cuesta::systemc {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "models/common/error.h"
-#include "models/traversal/hit_bytes.h"
+#include "models/rays/hit_bytes.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 // What stands on the stack of an SC_THREAD when the simulation ends is never destroyed, and the stacks are the kernel's:

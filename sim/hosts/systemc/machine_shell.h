@@ -7,13 +7,13 @@
 #include <systemc>
 #include <vector>
 
-#include "sim/cycle_machine.h"
 #include "sim/hosts/systemc/hits_out.h"
 #include "sim/hosts/systemc/machine_clock.h"
 #include "sim/hosts/systemc/machine_waves.h"
 #include "sim/hosts/systemc/memory_out.h"
 #include "sim/hosts/systemc/rays_in.h"
 #include "sim/hosts/systemc/shell_parameters.h"
+#include "sim/machine/cycle_machine.h"
 #include "traces/ray_trace.h"
 
 namespace cuesta::systemc {
@@ -27,7 +27,7 @@ struct MachineSetup {
   const Architecture* architecture = nullptr;
 };
 
-/// The machine (sim/cycle_machine.h) in a SystemC module, with three TLM-2.0 sockets.
+/// The machine (sim/machine/cycle_machine.h) in a SystemC module, with three TLM-2.0 sockets.
 ///
 /// Time: the sockets are at the memory's end of the way between machine and memory. What comes in (rays, memory's
 /// responses) takes dram.response_latency_cycles to the machine, what goes out (requests, hit records)
@@ -40,7 +40,7 @@ struct MachineSetup {
 /// rays_in: records of 112 bytes (traces/README.md) and registers (shell_parameters.h). A ray may be sent by
 /// ray_dispatch in the cycle of its arrival; rays are taken in the order in which they come, whatever
 /// ray_dispatch.order says. With ShellParameters::ray_fifo, a write waits while so many rays are unsent.
-/// hits_out: records of 32 bytes (models/traversal/hit_bytes.h), each `window` after the ray's completion, ordered by
+/// hits_out: records of 32 bytes (models/rays/hit_bytes.h), each `window` after the ray's completion, ordered by
 /// (cycle, pipeline). Back-pressure: at the start of a window, if fewer than pipelines x window places of the FIFO
 /// are free, no record enters a hit_queue in the whole window, and the pipelines stand still where one would.
 /// memory_out: height_l1's reads and result_writer's writes, in the order (cycle, pipeline, read before write); a

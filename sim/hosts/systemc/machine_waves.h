@@ -5,10 +5,10 @@
 #include <systemc>
 #include <vector>
 
-#include "sim/cycle_machine.h"
 #include "sim/hosts/systemc/hits_out.h"
 #include "sim/hosts/systemc/machine_clock.h"
 #include "sim/hosts/systemc/memory_out.h"
+#include "sim/machine/cycle_machine.h"
 
 namespace cuesta::systemc {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "models/common/error.h"
-#include "models/memory/memory_port.h"
+#include "models/units/memory/memory_port.h"
 #include "sim/hosts/systemc/memory_tag.h"
 #include "sim/hosts/systemc/shell_parameters.h"
 

@@ -5,7 +5,7 @@
 #include <tlm>
 #include <vector>
 
-#include "models/traversal/ray.h"
+#include "models/rays/traced_ray.h"
 
 namespace cuesta::systemc {
 

@@ -6,7 +6,7 @@
 #include <systemc>
 #include <tlm>
 
-#include "models/traversal/ray.h"
+#include "models/rays/traced_ray.h"
 #include "sim/hosts/systemc/shell_parameters.h"
 
 namespace cuesta::systemc {

@@ -5,7 +5,7 @@
 #include <systemc>
 
 #include "models/common/error.h"
-#include "models/dispatch/dispatch_order.h"
+#include "models/units/ray_dispatch/dispatch_order.h"
 #include "sim/hosts/systemc/dram_target.h"
 #include "sim/hosts/systemc/machine_shell.h"
 #include "sim/hosts/systemc/ray_feeder.h"

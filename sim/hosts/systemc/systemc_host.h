@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "sim/machine.h"
+#include "sim/machine/machine.h"
 #include "traces/ray_trace.h"
 
 namespace cuesta {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "models/heightmap/height_grid.h"
-#include "models/traversal/machine_ray.h"
+#include "models/rays/machine_ray.h"
 
 // Cones, edges and distances by asking every cell of the map and of what the address mode repeats beside it, from the
 // definitions alone, in long double.

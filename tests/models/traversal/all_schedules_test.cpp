@@ -8,7 +8,7 @@
 #include "models/common/error.h"
 #include "models/oracle/precision_check.h"
 #include "models/oracle/traversal_check.h"
-#include "models/traversal/map_shape.h"
+#include "models/rays/map_shape.h"
 
 // Every schedule returns the leaf walk's hit bit for bit, and the leaf walk in fixed point is exact. The suite is
 // a sample; `cuesta verify oracle --rays N`, or CUESTA_ORACLE_RAYS=N here, runs as many as wanted.

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "models/units/height_l1/height_l1.h"
+#include "models/units/hmt/hmt_site.h"
+#include "models/units/ray_setup/ray_setup_unit.h"
+#include "models/units/traverse/traverse_unit.h"
+
+namespace cuesta {
+
+/// The heightmap traversal hardware of one pipeline: ray_setup, traverse and height_l1, between ray_dispatch's
+/// queue and hit_queue. Either the model's units, or Verilated RTL in the place of some or all of them.
+class HmtUnit {
+ public:
+  /// How full it is at the end of a cycle.
+  struct Fill {
+    int rays_before_traverse = 0;  ///< sent by ray_dispatch, not yet in a context
+    int contexts = 0;              ///< rays resident in traverse
+    int mshrs = 0;                 ///< taken
+    int retries = 0;               ///< rays that wait for an MSHR
+  };
+  struct Counts {
+    int64_t setup_rays = 0;  ///< that entered ray_setup
+    TraverseUnit::Counts traverse;
+    HeightL1::Counts height_l1;
+  };
+
+  virtual ~HmtUnit() = default;
+
+  /// Everything that happens in cycles below `limit`. Throws Error(kNoProgress).
+  virtual void advance(Cycle limit) = 0;
+  /// The next cycle to happen.
+  virtual Cycle cycle() const = 0;
+  /// No ray here, none to come.
+  virtual bool finished() const = 0;
+  /// Nothing to do but to wait for rays from outside.
+  virtual bool starved() const = 0;
+  /// The cycles from where the unit stopped to the machine's last one.
+  virtual void drain_until(Cycle end) = 0;
+
+  /// The hit stream is held back until `cycle`, as by a hit_queue that is full.
+  virtual void hold_hits_until(Cycle cycle) = 0;
+  /// From now on the positions in the trace of rays that complete are added to `rays`, in order.
+  virtual void log_completions(std::vector<uint32_t>* rays) = 0;
+
+  /// Rays that have left by the hit stream.
+  virtual int64_t completed() const = 0;
+  /// As at the end of cycle `end` - 1, which is not below cycle() - 1: a unit that is finished stops earlier. In the
+  /// middle of a run setup_rays may be ahead.
+  virtual Counts counts(Cycle end) = 0;
+  virtual Fill fill() const = 0;
+  /// Fill of every queue and who waits for whom, for the watchdog's message.
+  virtual std::string who_waits() const = 0;
+};
+
+/// The model's own units; `Traverse`: TraverseUnit, or RunAheadTraverse, which is loosely timed.
+template <class Traverse>
+class HmtModel final : public HmtUnit {
+ public:
+  explicit HmtModel(const HmtSite& site)
+      : l1_(site.architecture.height_l1, site.architecture.traverse.contexts, site.image_bytes, site.pipeline,
+            site.memory, site.stalls),
+        setup_(site.architecture.ray_setup, site.architecture.ray_dispatch, site.pipeline, site.dispatch,
+               site.stalls),
+        traverse_(site, setup_, l1_) {
+    l1_.log_ports(site.log);
+    setup_.log_ports(site.log);
+  }
+
+  void advance(Cycle limit) override { traverse_.advance(limit); }
+  Cycle cycle() const override { return traverse_.cycle(); }
+  bool finished() const override { return traverse_.finished(); }
+  bool starved() const override { return traverse_.starved(); }
+  void drain_until(Cycle end) override { traverse_.drain_until(end); }
+  void hold_hits_until(Cycle cycle) override { traverse_.hold_hits_until(cycle); }
+  void log_completions(std::vector<uint32_t>* rays) override { traverse_.log_completions(rays); }
+  int64_t completed() const override { return traverse_.counts().rays; }
+  Counts counts(Cycle end) override {
+    return {setup_.entered(), traverse_.counts_until(end), l1_.counts_until(end)};
+  }
+  Fill fill() const override {
+    return {static_cast<int>(setup_.queued() + setup_.waiting()), traverse_.resident(), l1_.mshrs_taken(),
+            static_cast<int>(l1_.retry_fill())};
+  }
+  std::string who_waits() const override { return traverse_.who_waits(); }
+
+ private:
+  HeightL1 l1_;
+  RaySetupUnit setup_;
+  Traverse traverse_;
+};
+
+}  // namespace cuesta

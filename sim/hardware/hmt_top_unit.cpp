@@ -1,0 +1,224 @@
+#include <algorithm>
+
+#include "models/common/error.h"
+#include "sim/hardware/rtl_unit.h"
+
+namespace cuesta::rtl {
+namespace {
+
+class HmtTopUnit final : public RtlUnit, public MemoryClient {
+ public:
+  HmtTopUnit(const RtlJob& job, const HmtSite& site)
+      : RtlUnit("hmt_top", job, site),
+        top_(job.set.make_hmt_top(job.seed)),
+        mshrs_(static_cast<size_t>(site.architecture.height_l1.mshrs)),
+        seen_((site.image_bytes / line_bytes()) / 64 + 1, 0) {
+    top_->reset();
+    configure();
+    for (size_t c = 0; c < std::size(kCounters); ++c) at_reset_[c] = counter(c);
+  }
+
+  Counts counts(Cycle end) override;
+  Fill fill() const override;
+  std::string who_waits() const override;
+
+  void respond(int slot, Cycle response) override {
+    const Cycle lands = earliest(response);
+    mshrs_[static_cast<size_t>(slot)].lands = lands;
+    next_landing_ = std::min(next_landing_, lands);
+  }
+  Cycle earliest(Cycle response) const override {
+    return first_free_landing(response, site_.stalls, site_.pipeline, [&](Cycle lands) {
+      return std::any_of(mshrs_.begin(), mshrs_.end(), [&](const Mshr& m) { return m.lands == lands; });
+    });
+  }
+
+ private:
+  struct Mshr {
+    uint64_t address = 0;
+    Cycle lands = kNever;
+    bool waits = false;  ///< for its line
+  };
+  struct Inside {
+    uint32_t ray;
+    Cycle sent;
+  };
+
+  uint64_t line_bytes() const { return static_cast<uint64_t>(site_.architecture.height_l1.line_bytes); }
+  uint64_t counter(size_t index) { return top_->read_register(kRegisterCounter + static_cast<int>(index)); }
+
+  void configure();
+  void tick() override;
+  int inside() const override { return static_cast<int>(inside_.size()); }
+  WavePort& waves() override { return *top_; }
+  int landing_now() const;
+  void request(int mshr, uint64_t address);
+
+  std::unique_ptr<HmtTopPort> top_;
+  std::vector<Mshr> mshrs_;
+  Cycle next_landing_ = kNever;
+  std::deque<uint32_t> owners_;  ///< of misses whose requests have not left
+  std::vector<Inside> inside_;
+  std::vector<uint64_t> seen_;  ///< lines ever asked for
+  int64_t unique_lines_ = 0;
+  uint64_t at_reset_[std::size(kCounters)];
+};
+
+void HmtTopUnit::configure() {
+  const MapShape& map = job_.work.map;
+  const Schedule& schedule = job_.work.schedule;
+  const NumberFormat format = number_format(site_.architecture.traverse, map);
+  const uint64_t mode = static_cast<uint64_t>(map.root_level) |
+                        static_cast<uint64_t>(map.address_mode == AddressMode::kBorder) << 4 |
+                        static_cast<uint64_t>(schedule.start) << 5 |
+                        static_cast<uint64_t>(schedule.down) << 7 | static_cast<uint64_t>(schedule.up) << 9 |
+                        static_cast<uint64_t>(schedule.stop_level) << 12 |
+                        static_cast<uint64_t>(job_.layout.kind() == TexelLayoutKind::kMorton) << 16;
+  const auto expect = [this](int address, uint64_t value) {
+    const uint64_t held = top_->read_register(address);
+    if (held == value) return;
+    throw Error(ExitCode::kMismatch, "Register " + std::to_string(address) + " of hmt_top reads as " +
+                                         std::to_string(held) + " in the place of " + std::to_string(value) +
+                                         ": the hardware is not what rtl/README.md says.");
+  };
+  const auto set = [&](int address, uint64_t value) {
+    top_->write_register(address, value);
+    expect(address, value);
+  };
+  constexpr int kNoRegister = 63;
+  expect(kNoRegister, 0);
+  set(kRegisterMode, mode);
+  set(kRegisterTimeEnd, (uint64_t{1} << time_bits(map, format)) - 1);
+  set(kRegisterRootBound, static_cast<uint64_t>(job_.work.pyramid->highest()));
+  for (int level = schedule.stop_level; level <= map.root_level; ++level) {
+    top_->write_register(kRegisterLevelBase + level, job_.layout.offset(level, 0, 0));
+  }
+}
+
+void HmtTopUnit::tick() {
+  auto& queue = site_.dispatch.queue(site_.pipeline);
+  if (queue.empty()) site_.dispatch.advance();
+  HmtTopPort::Inputs in;
+  if (!queue.empty() && queue.front().cycle + site_.architecture.ray_dispatch.latency_cycles <= cycle_ &&
+      !blocked(Port::kDispatch)) {
+    in.ray_number = queue.front().ray;
+    in.ray = &ray(in.ray_number);
+  }
+  in.no_ray_to_come = no_ray_to_come();
+  in.hit_ready = hit_queue_ready();
+  in.request_ready = !blocked(Port::kMemoryRequest);
+  if (next_landing_ == cycle_) {
+    in.fill_mshr = landing_now();
+    Mshr& mshr = mshrs_[static_cast<size_t>(in.fill_mshr)];
+    in.fill_data = job_.image.data() + mshr.address;
+    mshr.lands = kNever;
+    mshr.waits = false;
+    next_landing_ = kNever;
+    for (const Mshr& m : mshrs_) next_landing_ = std::min(next_landing_, m.lands);
+  }
+
+  const HmtTopPort::Outputs out = top_->evaluate(in);
+  count_slot(out.slot, out.slot_ray);
+  if (out.slot == HmtTopPort::Slot::kMiss) owners_.push_back(out.slot_ray);
+  if (out.hit_valid && in.hit_ready) {
+    const HitRecord record = top_->hit();
+    const auto leaves =
+        std::find_if(inside_.begin(), inside_.end(), [&](const Inside& r) { return r.ray == record.ray_id; });
+    if (leaves == inside_.end()) {
+      throw wrong("sends ray " + std::to_string(record.ray_id) + ", which is not inside,");
+    }
+    retire(record, leaves->sent);
+    *leaves = inside_.back();
+    inside_.pop_back();
+  }
+  if (out.request_valid && in.request_ready) request(out.request_mshr, out.request_address);
+  if (in.ray != nullptr && out.ray_ready) {
+    inside_.push_back({in.ray_number, queue.front().cycle});
+    if (site_.log != nullptr) site_.log->entries.push_back({cycle_, in.ray_number});
+    queue.pop_front();
+    site_.dispatch.give_credit(site_.pipeline,
+                               cycle_ + site_.architecture.ray_dispatch.credit_latency_cycles);
+  }
+  top_->clock();
+}
+
+int HmtTopUnit::landing_now() const {
+  int mshr = 0;
+  while (mshrs_[static_cast<size_t>(mshr)].lands != cycle_) ++mshr;
+  return mshr;
+}
+
+void HmtTopUnit::request(int mshr, uint64_t address) {
+  const std::string asks = "asks for address " + std::to_string(address);
+  if (owners_.empty()) throw wrong(asks + " without a miss");
+  if (address >= site_.image_bytes || address % line_bytes() != 0)
+    throw wrong(asks + ", which is no line of the pyramid,");
+  if (static_cast<size_t>(mshr) >= mshrs_.size() || mshrs_[static_cast<size_t>(mshr)].waits)
+    throw wrong(asks + " with MSHR " + std::to_string(mshr) + ", which waits or is none,");
+  mshrs_[static_cast<size_t>(mshr)] = {address, kNever, true};
+  const uint64_t line = address / line_bytes();
+  unique_lines_ += static_cast<int64_t>(~seen_[line / 64] >> (line % 64) & 1);
+  seen_[line / 64] |= uint64_t{1} << (line % 64);
+  const uint32_t owner = owners_.front();
+  owners_.pop_front();
+  if (site_.log != nullptr) site_.log->requests.push_back({cycle_, mshr, address, owner});
+  site_.memory.send(
+      {cycle_, site_.pipeline, false, mshr, owner, static_cast<int32_t>(line_bytes()), address, this});
+}
+
+HmtUnit::Counts HmtTopUnit::counts(Cycle end) {
+  drain_until(end);
+  auto count = [&](std::string_view unit, std::string_view name) {
+    size_t c = 0;
+    while (kCounters[c][0] != unit || kCounters[c][1] != name) ++c;
+    return static_cast<int64_t>(counter(c) - at_reset_[c]);
+  };
+  Counts all;
+  all.setup_rays = count("ray_setup", "rays");
+  TraverseUnit::Counts& t = all.traverse;
+  t.steps = count("traverse", "slots_step");
+  t.miss_slots = count("traverse", "slots_miss");
+  t.refused_slots = count("traverse", "slots_refused");
+  t.dead_slots = count("traverse", "slots_dead");
+  t.contexts_full = count("traverse", "bubble_contexts_full");
+  t.no_ray = count("traverse", "bubble_no_ray");
+  t.drain = count("traverse", "bubble_drain");
+  t.stalls = count("traverse", "stall_hit_queue");
+  t.replays = count("traverse", "replays");
+  t.rays = count("traverse", "rays");
+  t.hits = count("traverse", "hits");
+  t.resident_cycles = count("traverse", "resident_cycles");
+  HeightL1::Counts& l1 = all.height_l1;
+  l1.accesses = count("height_l1", "accesses");
+  l1.hits = count("height_l1", "hits");
+  l1.misses = count("height_l1", "misses");
+  l1.merges = count("height_l1", "merges");
+  l1.refused = count("height_l1", "refused");
+  l1.fills = count("height_l1", "fills");
+  l1.evictions = count("height_l1", "evictions");
+  l1.mshr_cycles = count("height_l1", "mshr_cycles");
+  l1.unique_lines = unique_lines_;
+  return all;
+}
+
+HmtUnit::Fill HmtTopUnit::fill() const {
+  const int waiting = static_cast<int>(site_.dispatch.queue(site_.pipeline).size());
+  return {waiting + inside() - in_context(), in_context(), 0, 0};  // MSHRs and retries show at no port
+}
+
+std::string HmtTopUnit::who_waits() const {
+  return "hmt_top[" + std::to_string(site_.pipeline) + "] (RTL) holds " + std::to_string(inside_.size()) +
+         " rays, " + std::to_string(site_.dispatch.queue(site_.pipeline).size()) + " wait in front of it; " +
+         std::to_string(
+             std::count_if(mshrs_.begin(), mshrs_.end(), [](const Mshr& m) { return m.lands != kNever; })) +
+         " fills are on their way; hit_queue: " + std::to_string(site_.hit_queue.size()) +
+         " records wait for result_writer";
+}
+
+}  // namespace
+
+std::unique_ptr<RtlUnit> make_hmt_top_unit(const RtlJob& job, const HmtSite& site) {
+  return std::make_unique<HmtTopUnit>(job, site);
+}
+
+}  // namespace cuesta::rtl
