@@ -1,5 +1,7 @@
 #include "reports/quantities.h"
 
+#include "models/units/statistics.h"
+
 #include <algorithm>
 #include <array>
 

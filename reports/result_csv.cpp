@@ -1,5 +1,7 @@
 #include "reports/result_csv.h"
 
+#include "models/units/statistics.h"
+
 #include <fmt/format.h>
 
 #include <set>

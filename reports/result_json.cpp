@@ -1,5 +1,7 @@
 #include "reports/result_json.h"
 
+#include "models/units/statistics.h"
+
 #include <nlohmann/json.hpp>
 #include <numeric>
 

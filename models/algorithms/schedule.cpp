@@ -12,13 +12,6 @@ namespace cuesta {
 
 namespace {
 
-constexpr std::string_view kStarts[] = {"root", "leaf", "span"};
-constexpr std::string_view kDowns[] = {"1", "2", "3", "common"};
-constexpr int kDownValues[] = {1, 2, 3, kDownCommon};
-constexpr std::string_view kUps[] = {"never",     "always",    "interval",       "even-axis",
-                                     "both-even", "selective", "selective-even", "coherent"};
-constexpr std::string_view kFetches[] = {"texel", "quad"};
-
 constexpr const char* kYun = "Yun, Kwon, Nah, Manocha, Park 2013";
 
 /// Published algorithms first, then parts.
@@ -149,12 +142,12 @@ class ScheduleReader {
                         ending(words_[0], ids));
     } else {
       schedule.start = static_cast<StartRule>(
-          choice(words_[0], kStarts, "a start (or a named algorithm)", named_and(kStarts)));
+          choice(words_[0], kStartNames, "a start (or a named algorithm)", named_and(kStartNames)));
       if (words_.size() < 3) {
         throw usage_error(found() + "it has no up rule; accepted is " + std::string(kScheduleSyntax) + ".");
       }
-      schedule.down = kDownValues[choice(words_[1], kDowns, "a down")];
-      schedule.up = static_cast<UpRule>(choice(words_[2], kUps, "an up rule"));
+      schedule.down = kDownValues[choice(words_[1], kDownNames, "a down")];
+      schedule.up = static_cast<UpRule>(choice(words_[2], kUpNames, "an up rule"));
       next = 3;
     }
     bool with_stop = false, with_fetch = false;
@@ -273,15 +266,9 @@ Algorithm parse_algorithm(std::string_view text) {
           row != nullptr ? row->meaning : "the choices that its name states"};
 }
 
-std::string_view name_of(StartRule rule) { return kStarts[static_cast<size_t>(rule)]; }
-std::string_view name_of(UpRule rule) { return kUps[static_cast<size_t>(rule)]; }
-std::string_view name_of(FetchRule rule) { return kFetches[static_cast<size_t>(rule)]; }
-std::string_view name_of_down(int down) { return down == kDownCommon ? kDowns[3] : kDowns[down - 1]; }
-
-std::span<const std::string_view> start_names() { return kStarts; }
-std::span<const std::string_view> down_names() { return kDowns; }
-std::span<const std::string_view> up_names() { return kUps; }
-std::span<const std::string_view> fetch_names() { return kFetches; }
-std::span<const int> down_values() { return kDownValues; }
+std::string_view name_of(StartRule rule) { return kStartNames[static_cast<size_t>(rule)]; }
+std::string_view name_of(UpRule rule) { return kUpNames[static_cast<size_t>(rule)]; }
+std::string_view name_of(FetchRule rule) { return kFetchNames[static_cast<size_t>(rule)]; }
+std::string_view name_of_down(int down) { return down == kDownCommon ? kDownNames[3] : kDownNames[down - 1]; }
 
 }  // namespace cuesta

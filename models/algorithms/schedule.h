@@ -12,6 +12,7 @@ namespace cuesta {
 
 /// Where a ray enters the pyramid.
 enum class StartRule : uint8_t { kRoot, kLeaf, kSpan };
+inline constexpr std::string_view kStartNames[] = {"root", "leaf", "span"};
 
 /// When a ray that has crossed into a neighbour node goes up one level.
 enum class UpRule : uint8_t {
@@ -24,14 +25,20 @@ enum class UpRule : uint8_t {
   kSelectiveEven,  ///< kSelective and kEvenAxis
   kCoherent,       ///< the previous step was also a crossing on this level
 };
+inline constexpr std::string_view kUpNames[] = {"never",     "always",    "interval",       "even-axis",
+                                                "both-even", "selective", "selective-even", "coherent"};
 
 /// What a visit reads: the node's texel; or its 2 x 2 siblings, which the ray keeps until it reads others. A visit
 /// whose siblings are kept reads nothing; steps, hits and the order of visits are those of kTexel.
 enum class FetchRule : uint8_t { kTexel, kQuad };
+inline constexpr std::string_view kFetchNames[] = {"texel", "quad"};
 
 /// `Schedule::down`: straight to the smallest node that holds the ray's cell and the cell where the ray must have
 /// ended, one level at least.
 inline constexpr int kDownCommon = 64;
+/// The values of `Schedule::down`, and how each is written.
+inline constexpr int kDownValues[] = {1, 2, 3, kDownCommon};
+inline constexpr std::string_view kDownNames[] = {"1", "2", "3", "common"};
 
 inline constexpr int kMostStopLevel = 14;  ///< the root of the largest map, 16384 on a side
 
@@ -96,13 +103,5 @@ std::string_view name_of(StartRule rule);
 std::string_view name_of(UpRule rule);
 std::string_view name_of(FetchRule rule);
 std::string_view name_of_down(int down);  ///< "1", "2", "3" or "common"
-
-/// Accepted words, in the order of the enums; downs in the order 1, 2, 3, common.
-std::span<const std::string_view> start_names();
-std::span<const std::string_view> down_names();
-std::span<const std::string_view> up_names();
-std::span<const std::string_view> fetch_names();
-/// The value of `Schedule::down` of each of `down_names()`.
-std::span<const int> down_values();
 
 }  // namespace cuesta

@@ -17,12 +17,6 @@ struct StatisticDefinition {
   std::string_view sentence;  ///< what is counted, when, what is left out
 };
 
-/// Every statistic there is: counters, planes and histograms; sorted by name.
-std::span<const StatisticDefinition> statistic_definitions();
-
-/// The definition of a counter's path, plane or histogram. Throws (internal error) for a name that nobody defined.
-const StatisticDefinition& definition_of(std::string_view path);
-
 /// 64-bit integer counters by path. Ratios are computed when read.
 class Counters {
  public:

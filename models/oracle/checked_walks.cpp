@@ -27,7 +27,7 @@ std::vector<Schedule> checked_schedules(bool all_combinations, int stop_level) {
   for (const Algorithm& part : algorithm_parts()) list.push_back(part.schedule);
   if (all_combinations) {
     for (int start = 0; start < 3; ++start) {
-      for (const int down : down_values()) {
+      for (const int down : kDownValues) {
         for (int up = 0; up < 8; ++up) {
           list.push_back({static_cast<StartRule>(start), down, static_cast<UpRule>(up), 0});
         }

@@ -17,8 +17,6 @@ namespace {
 
 constexpr size_t kQuadEvery = 7;  // schedules: one in so many is walked again through kept siblings
 
-constexpr std::array<std::string_view, 3> kArithmeticNames = {"fixed", "float", "double"};
-
 /// Heights through the siblings that a ray keeps: read when they are fetched, and only then.
 class QuadReader {
  public:

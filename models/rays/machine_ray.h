@@ -25,6 +25,7 @@ enum class Surface : uint8_t { kTexel = 0, kBilinear = 1 };
 inline std::string_view name_of(Surface surface) { return surface == Surface::kTexel ? "texel" : "bilinear"; }
 
 enum class Arithmetic : uint8_t { kFixed = 0, kFloat = 1, kDouble = 2 };
+inline constexpr std::string_view kArithmeticNames[] = {"fixed", "float", "double"};
 
 /// Widths of the machine's numbers.
 struct NumberFormat {

@@ -4,33 +4,29 @@
 
 #include "models/common/digest.h"
 #include "models/common/error.h"
+#include "models/work/counters.h"
 
 namespace cuesta {
 
 void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, const FetchCounts& fetches,
                           Measurements& measurements) {
-  Counters& counters = measurements.counters;
-  int64_t hit = 0, miss = 0, dead = 0, unfinished = 0, steps = 0;
+  WorkCounts counts;
   std::vector<int64_t> per_ray;
   per_ray.reserve(hits.size());
   for (const HitRecord& record : hits) {
-    hit += record.status == HitStatus::kHit;
-    miss += record.status == HitStatus::kMiss;
-    dead += record.status == HitStatus::kMiss && record.steps == 0;
+    counts.hits += record.status == HitStatus::kHit;
+    counts.misses += record.status == HitStatus::kMiss;
+    counts.dead_rays += record.status == HitStatus::kMiss && record.steps == 0;
     const bool early = record.status == HitStatus::kDidNotFinish && record.steps == 0;
-    unfinished += early;
-    steps += record.steps;
+    counts.unfinished_rays += early;
+    counts.steps += record.steps;
     if (!early) per_ray.push_back(record.steps);
   }
-  counters.set("machine.rays", static_cast<int64_t>(hits.size()) - unfinished);
-  counters.set("machine.hits", hit);
-  counters.set("machine.misses", miss);
-  counters.set("machine.dead_rays", dead);
-  counters.set("machine.unfinished_rays", unfinished);
-  counters.set("machine.steps", steps);
-  counters.set("machine.fetches", fetches.fetches);
-  counters.set("machine.fetched_texels", fetches.texels);
-  counters.set("machine.texel_bytes", fetches.texels * work.texel_bytes());
+  counts.rays = static_cast<int64_t>(hits.size()) - counts.unfinished_rays;
+  counts.fetches = fetches.fetches;
+  counts.fetched_texels = fetches.texels;
+  counts.texel_bytes = fetches.texels * work.texel_bytes();
+  collect(kWorkCounters, counts, kNoInstance, measurements.counters);
   measurements.histograms.push_back(make_histogram("steps", std::move(per_ray)));
   measurements.plane_width = work.width;
   measurements.plane_height = work.height;
@@ -40,20 +36,18 @@ void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits,
 void add_error_measurements(const Workload& work, const Judgement& judgement, Measurements& measurements) {
   Counters& counters = measurements.counters;
   const auto count = [&](Verdict verdict) { return judgement.counts.count(verdict); };
-  counters.set("error.exact", count(Verdict::kExact));
-  counters.set("error.tie", count(Verdict::kTie));
-  counters.set("error.missed", count(Verdict::kMissed));
-  counters.set("error.behind", count(Verdict::kBehind));
-  counters.set("error.wrong_cell", count(Verdict::kWrongCell));
-  counters.set("error.wrong", judgement.counts.wrong());
+  collect(kErrorCounters,
+          {count(Verdict::kExact), count(Verdict::kTie), count(Verdict::kMissed), count(Verdict::kBehind),
+           count(Verdict::kWrongCell), judgement.counts.wrong()},
+          kNoInstance, counters);
   if (is_printed(work.search->kind)) {
-    counters.set("error.nan", judgement.not_numbers);
-    counters.set("error.unfinished", judgement.unfinished);
+    collect(kNoAnswerCounters, {judgement.not_numbers, judgement.unfinished}, kNoInstance, counters);
   }
   const PreprocessingCost& cost = work.search_map->cost();
-  counters.set("preprocessing.texels_read", static_cast<int64_t>(cost.texels_read));
-  counters.set("preprocessing.records", static_cast<int64_t>(cost.records_written));
-  counters.set("preprocessing.bytes", static_cast<int64_t>(work.search_map->size_bytes()));
+  collect(kPreprocessingCounters,
+          {static_cast<int64_t>(cost.texels_read), static_cast<int64_t>(cost.records_written),
+           static_cast<int64_t>(work.search_map->size_bytes())},
+          kNoInstance, counters);
   measurements.histograms.push_back(error_histogram("height_error", judgement.height_errors));
   measurements.histograms.push_back(error_histogram("texel_error", judgement.texel_errors));
   measurements.planes.push_back(plane_of(work, "plane.wrong", [&](size_t k) { return judgement.wrong(k); }));

@@ -5,6 +5,7 @@
 
 #include "models/algorithms/schedule.h"
 #include "models/common/words.h"
+#include "models/units/statistics.h"
 #include "reports/quantities.h"
 #include "sim/cli/options.h"
 #include "sim/cli/verbs.h"
@@ -92,16 +93,15 @@ void list_algorithms() {
   const std::string stop = "stop=0 to stop=" + std::to_string(kMostStopLevel);
   rows = {
       {"choice", "accepted", "meaning"},
-      {"START", joined(start_names()),
+      {"START", joined(kStartNames),
        "the root; the leaves (the stop level); the smallest node that holds the ray's start and end cell"},
-      {"DOWN", joined(down_names()),
+      {"DOWN", joined(kDownNames),
        "levels per descent until the first crossing, then 1; common: to the smallest node that holds the "
        "ray's "
        "cell and its end cell"},
-      {"UP", joined(up_names()), "when a ray that has crossed goes up one level"},
+      {"UP", joined(kUpNames), "when a ray that has crossed goes up one level"},
       {"stop=N", stop, "level of the leaves; above 0 they are the texels of the mean pyramid"},
-      {"quad", joined(fetch_names()),
-       "a visit fetches its texel, or its 2 x 2 siblings, which the ray keeps"}};
+      {"quad", joined(kFetchNames), "a visit fetches its texel, or its 2 x 2 siblings, which the ray keeps"}};
   print_rows(rows);
   std::printf("Examples: root:common:never, span:2:even-axis:stop=2, yun2013:quad.\n");
   list_searches();

@@ -51,27 +51,7 @@ class HmtTopPort : public WavePort {
 inline constexpr int kRegisterMode = 0, kRegisterTimeEnd = 1, kRegisterRootBound = 2, kRegisterLevelBase = 16,
                      kRegisterCounter = 32;
 
-/// The counters of rtl/hmt_top.sv, in the order of their addresses.
-inline constexpr const char* kCounters[][2] = {{"ray_setup", "rays"},
-                                               {"traverse", "rays"},
-                                               {"traverse", "hits"},
-                                               {"traverse", "slots_step"},
-                                               {"traverse", "slots_miss"},
-                                               {"traverse", "slots_refused"},
-                                               {"traverse", "slots_dead"},
-                                               {"traverse", "bubble_contexts_full"},
-                                               {"traverse", "bubble_no_ray"},
-                                               {"traverse", "bubble_drain"},
-                                               {"traverse", "stall_hit_queue"},
-                                               {"traverse", "replays"},
-                                               {"height_l1", "accesses"},
-                                               {"height_l1", "hits"},
-                                               {"height_l1", "misses"},
-                                               {"height_l1", "merges"},
-                                               {"height_l1", "refused"},
-                                               {"height_l1", "fills"},
-                                               {"height_l1", "evictions"},
-                                               {"traverse", "resident_cycles"},
-                                               {"height_l1", "mshr_cycles"}};
+/// How many counters rtl/hmt_top.sv has; which is which, the tables beside the units say (CounterRow::rtl_register).
+inline constexpr int kCounterRegisters = 21;
 
 }  // namespace cuesta::rtl

@@ -15,7 +15,7 @@ class HmtTopUnit final : public RtlUnit, public MemoryClient {
         seen_((site.image_bytes / line_bytes()) / 64 + 1, 0) {
     top_->reset();
     configure();
-    for (size_t c = 0; c < std::size(kCounters); ++c) at_reset_[c] = counter(c);
+    for (size_t c = 0; c < std::size(at_reset_); ++c) at_reset_[c] = counter(c);
   }
 
   Counts counts(Cycle end) override;
@@ -61,7 +61,7 @@ class HmtTopUnit final : public RtlUnit, public MemoryClient {
   std::vector<Inside> inside_;
   std::vector<uint64_t> seen_;  ///< lines ever asked for
   int64_t unique_lines_ = 0;
-  uint64_t at_reset_[std::size(kCounters)];
+  uint64_t at_reset_[kCounterRegisters];
 };
 
 void HmtTopUnit::configure() {
@@ -105,7 +105,7 @@ void HmtTopUnit::tick() {
     in.ray = &ray(in.ray_number);
   }
   in.no_ray_to_come = no_ray_to_come();
-  in.hit_ready = hit_queue_ready();
+  in.hit_ready = sink_ready();
   in.request_ready = !blocked(Port::kMemoryRequest);
   if (next_landing_ == cycle_) {
     in.fill_mshr = landing_now();
@@ -168,36 +168,18 @@ void HmtTopUnit::request(int mshr, uint64_t address) {
 
 HmtUnit::Counts HmtTopUnit::counts(Cycle end) {
   drain_until(end);
-  auto count = [&](std::string_view unit, std::string_view name) {
-    size_t c = 0;
-    while (kCounters[c][0] != unit || kCounters[c][1] != name) ++c;
-    return static_cast<int64_t>(counter(c) - at_reset_[c]);
+  const auto read = [&]<class C, size_t N>(const CounterRow<C>(&table)[N], C& counts) {
+    for (const CounterRow<C>& row : table) {
+      if (row.rtl_register < 0) continue;
+      counts.*row.field = static_cast<int64_t>(counter(row.rtl_register) - at_reset_[row.rtl_register]);
+    }
   };
   Counts all;
-  all.setup_rays = count("ray_setup", "rays");
-  TraverseUnit::Counts& t = all.traverse;
-  t.steps = count("traverse", "slots_step");
-  t.miss_slots = count("traverse", "slots_miss");
-  t.refused_slots = count("traverse", "slots_refused");
-  t.dead_slots = count("traverse", "slots_dead");
-  t.contexts_full = count("traverse", "bubble_contexts_full");
-  t.no_ray = count("traverse", "bubble_no_ray");
-  t.drain = count("traverse", "bubble_drain");
-  t.stalls = count("traverse", "stall_hit_queue");
-  t.replays = count("traverse", "replays");
-  t.rays = count("traverse", "rays");
-  t.hits = count("traverse", "hits");
-  t.resident_cycles = count("traverse", "resident_cycles");
-  HeightL1::Counts& l1 = all.height_l1;
-  l1.accesses = count("height_l1", "accesses");
-  l1.hits = count("height_l1", "hits");
-  l1.misses = count("height_l1", "misses");
-  l1.merges = count("height_l1", "merges");
-  l1.refused = count("height_l1", "refused");
-  l1.fills = count("height_l1", "fills");
-  l1.evictions = count("height_l1", "evictions");
-  l1.mshr_cycles = count("height_l1", "mshr_cycles");
-  l1.unique_lines = unique_lines_;
+  read(kRaySetupCounters, all.ray_setup);
+  read(kTraverseCounters, all.traverse);
+  read(kHeightL1Counters, all.height_l1);
+  all.height_l1.fill_bytes = all.height_l1.fills * static_cast<int64_t>(line_bytes());
+  all.height_l1.unique_lines = unique_lines_;
   return all;
 }
 
@@ -211,8 +193,7 @@ std::string HmtTopUnit::who_waits() const {
          " rays, " + std::to_string(site_.dispatch.queue(site_.pipeline).size()) + " wait in front of it; " +
          std::to_string(
              std::count_if(mshrs_.begin(), mshrs_.end(), [](const Mshr& m) { return m.lands != kNever; })) +
-         " fills are on their way; hit_queue: " + std::to_string(site_.hit_queue.size()) +
-         " records wait for result_writer";
+         " fills are on their way; " + site_.sink.who_waits();
 }
 
 }  // namespace

@@ -66,10 +66,9 @@ Error RtlUnit::goes_nowhere(uint32_t number) const {
 }
 
 void RtlUnit::retire(HitRecord record, Cycle sent) {
-  site_.writer.advance(cycle_);
   const auto number = static_cast<uint32_t>(record.ray_id);
   const uint32_t trace = site_.order[number];
-  site_.hit_queue.push(number, cycle_);
+  site_.sink.take(number, cycle_);
   record.ray_id = job_.work.rays[trace].id;
   site_.hits[trace] = record;
   RayTiming& timing = site_.timing[trace];

@@ -59,10 +59,9 @@ class RtlUnit : public HmtUnit {
   bool blocked(Port port) const {
     return site_.stalls != nullptr && site_.stalls->blocked(port, site_.pipeline, cycle_);
   }
-  bool hit_queue_ready() {
+  bool sink_ready() {
     if (cycle_ < hits_open_from_ || blocked(Port::kHitStream)) return false;
-    if (site_.hit_queue.full()) site_.writer.advance(cycle_);
-    return !site_.hit_queue.full();
+    return site_.sink.has_room(cycle_);
   }
   /// ray_dispatch has sent all, and none is in front of ray_setup.
   bool no_ray_to_come() {

@@ -39,7 +39,7 @@ class TraverseRtl final : public RtlUnit {
   Counts counts(Cycle end) override {
     drain_until(end);
     l1_.land_before(end);
-    Counts counts{setup_.entered(), counts_, l1_.counts_until(end)};
+    Counts counts{setup_.counts(), counts_, l1_.counts_until(end)};
     for (const Resident& ray : resident_) counts.traverse.resident_cycles += end - 1 - ray.entered;
     return counts;
   }
@@ -51,9 +51,8 @@ class TraverseRtl final : public RtlUnit {
     return "traverse[" + std::to_string(site_.pipeline) + "] (RTL) holds " +
            std::to_string(resident_.size()) + " rays; height_l1: " + std::to_string(l1_.mshrs_taken()) +
            " MSHRs taken, " + std::to_string(l1_.retry_fill()) +
-           " rays wait for an MSHR; ray_setup: " + std::to_string(setup_.waiting()) +
-           " rays in set-up; hit_queue: " + std::to_string(site_.hit_queue.size()) +
-           " records wait for result_writer";
+           " rays wait for an MSHR; ray_setup: " + std::to_string(setup_.waiting()) + " rays in set-up; " +
+           site_.sink.who_waits();
   }
 
  private:
@@ -107,7 +106,7 @@ void TraverseRtl::tick() {
   }
   if (l1_.replay_waiting()) in.replay_context = l1_.replay_context();
   if (l1_.retry_possible()) in.retry_context = l1_.retry_context();
-  in.hit_ready = hit_queue_ready();
+  in.hit_ready = sink_ready();
   in.texel = texel_;
 
   TraversePort::Outputs out = traverse_->evaluate(in);

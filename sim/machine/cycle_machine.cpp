@@ -5,8 +5,11 @@
 
 #include "models/common/error.h"
 #include "models/units/dram/dram.h"
+#include "models/units/dram/dram_level.h"
 #include "models/units/hit_queue/hit_queue.h"
+#include "models/units/machine_statistics.h"
 #include "models/units/ray_dispatch/dispatch_order.h"
+#include "models/units/result_writer/hit_drain.h"
 #include "models/units/result_writer/result_writer.h"
 #include "models/units/traverse/run_ahead_traverse.h"
 #include "sim/config/on_architecture.h"
@@ -36,53 +39,51 @@ struct CycleMachine::Pipeline {
       : hit_queue(m.architecture_.hit_queue.depth),
         writer(m.architecture_.result_writer, write_base, m.pipelines_, p, hit_queue, m.memory_,
                hooks.stalls),
+        drain(hit_queue, writer),
         hmt(m.make_hmt({m.architecture_, p, m.image_bytes(), m.order_, *m.source_, m.dispatch_, m.memory_,
-                        hit_queue, writer, m.hits_, m.timing_, m.watchdog_, hooks.stalls, log},
+                        drain, m.hits_, m.timing_, m.watchdog_, hooks.stalls, log},
                        hooks)) {}
 
   HitQueue hit_queue;
   ResultWriter writer;
+  HitDrain drain;
   std::unique_ptr<HmtUnit> hmt;
 };
 
 CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks)
-    : CycleMachine(work, architecture, hooks, nullptr) {}
+    : CycleMachine(without_rays(work), architecture, hooks, nullptr, nullptr) {
+  TraceRays(work.rays, work.pixel_of_ray).bring_until(0, *this);
+}
 
 CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, OutsideMemory& memory,
-                           const CycleHooks& hooks)
-    : CycleMachine(without_rays(work), architecture, hooks, &memory) {}
+                           RaySource* source, const CycleHooks& hooks)
+    : CycleMachine(without_rays(work), architecture, hooks, &memory, source) {}
 
 CycleMachine::CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks,
-                           OutsideMemory* outside)
+                           OutsideMemory* outside, RaySource* source)
     : work_(work),
       architecture_(architecture),
       layout_(architecture.texels.layout, *work.pyramid),
-      order_(dispatch_order(work.pixel_of_ray, work.width, architecture.ray_dispatch.order,
-                            architecture.ray_dispatch.tile_size)),
       source_(std::make_unique<StepSource>(work_, layout_, architecture.height_l1.line_bytes, order_)),
       pipelines_(architecture.machine.pipelines),
       hosted_(outside != nullptr),
+      rays_(source),
       at_once_(pipelines_ == 1 && hooks.stalls == nullptr && !hosted_),
       window_(architecture.dram.request_latency_cycles + architecture.dram.response_latency_cycles),
       step_(at_once_ || (pipelines_ == 1 && hosted_)
                 ? kNever
                 : std::min<Cycle>(architecture.ray_dispatch.credit_latency_cycles, window_)),
-      costs_(work.rays.size()),
-      timing_(work.rays.size()),
-      hits_(work.rays.size()),
       dram_(hosted_ ? nullptr : std::make_unique<Dram>(architecture.dram, granule_bytes(architecture))),
-      memory_(hosted_ ? MemoryPort(*outside, costs_)
-                      : MemoryPort(*dram_, architecture.dram.request_latency_cycles, at_once_, costs_)),
-      dispatch_(architecture.ray_dispatch, pipelines_, static_cast<uint32_t>(work.rays.size()), targets(),
-                hooks.stalls) {
+      outside_(hosted_ ? std::make_unique<OutsideLevel>(*outside, costs_) : nullptr),
+      dram_level_(
+          hosted_ ? nullptr
+                  : std::make_unique<DramLevel>(*dram_, architecture.dram.request_latency_cycles, costs_)),
+      memory_(hosted_ ? static_cast<MemoryLevel&>(*outside_) : *dram_level_, at_once_),
+      dispatch_(architecture.ray_dispatch, pipelines_, hooks.stalls) {
   if (work.arithmetic != architecture.traverse.arithmetic ||
       work.format != number_format(architecture.traverse, work.map)) {
     throw Error(ExitCode::kInternal,
                 "The workload's numbers are not those of the architecture's [traverse] section.");
-  }
-  for (size_t k = 0; k < hits_.size(); ++k) {
-    hits_[k].ray_id = work.rays[k].id;
-    hits_[k].status = HitStatus::kDidNotFinish;
   }
   if (hosted_) dispatch_.open();
   if (rtl::has_rtl(architecture)) {
@@ -133,19 +134,38 @@ std::vector<uint16_t> CycleMachine::targets() const {
   return targets;
 }
 
+void CycleMachine::trace_arrives(std::span<const MachineRay> rays, std::span<const uint32_t> pixels) {
+  work_.rays = rays;
+  work_.pixel_of_ray = pixels;
+  order_ = dispatch_order(pixels, work_.width, architecture_.ray_dispatch.order,
+                          architecture_.ray_dispatch.tile_size);
+  add_rays(0);
+  dispatch_.trace_arrives(static_cast<uint32_t>(order_.size()), targets());
+}
+
+void CycleMachine::add_rays(uint32_t first) {
+  source_->set_rays(static_cast<uint32_t>(order_.size()));
+  costs_.resize(order_.size());
+  timing_.resize(order_.size());
+  hits_.resize(order_.size());
+  for (size_t k = first; k < hits_.size(); ++k) {
+    hits_[k].ray_id = work_.rays[k].id;
+    hits_[k].status = HitStatus::kDidNotFinish;
+  }
+}
+
 void CycleMachine::ray_arrives(const MachineRay& ray, uint32_t pixel, Cycle cycle) {
   const auto number = static_cast<uint32_t>(order_.size());
+  if (arrived_.empty()) {  // behind a trace
+    arrived_.assign(work_.rays.begin(), work_.rays.end());
+    arrived_pixel_.assign(work_.pixel_of_ray.begin(), work_.pixel_of_ray.end());
+  }
   arrived_.push_back(ray);
   arrived_pixel_.push_back(pixel);
   work_.rays = arrived_;
   work_.pixel_of_ray = arrived_pixel_;
   order_.push_back(number);
-  source_->set_rays(number + 1);
-  costs_.emplace_back();
-  timing_.emplace_back();
-  HitRecord& hit = hits_.emplace_back();
-  hit.ray_id = ray.id;
-  hit.status = HitStatus::kDidNotFinish;
+  add_rays(number);
   dispatch_.arrive(cycle, target_of(pixel));
   watchdog_.last_progress = std::max(watchdog_.last_progress, cycle);
 }
@@ -162,7 +182,8 @@ void CycleMachine::log_completions(std::vector<std::vector<uint32_t>>& rays) {
 }
 
 void CycleMachine::advance(Cycle end) {
-  if (hosted_) memory_.deliver_until(end);
+  if (rays_ != nullptr) rays_->bring_until(end, *this);
+  if (hosted_) outside_->deliver_until(end);
   while (now_ < end) {
     now_ = std::min(end, now_ + step_);
     dispatch_.set_horizon(step_ == kNever ? kNever : now_);
@@ -198,9 +219,9 @@ bool CycleMachine::done() const {
 }
 
 bool CycleMachine::starved() const {
-  return memory_.in_flight() == 0 && std::all_of(pipeline_.begin(), pipeline_.end(), [](const auto& p) {
-           return p->hmt->starved() && p->writer.quiet();
-         });
+  return (!hosted_ || outside_->in_flight() == 0) &&
+         std::all_of(pipeline_.begin(), pipeline_.end(),
+                     [](const auto& p) { return p->hmt->starved() && p->writer.quiet(); });
 }
 
 uint64_t CycleMachine::completed() const {
@@ -265,64 +286,20 @@ Outcome CycleMachine::outcome(const Workload& work, std::span<const uint32_t> po
 }
 
 void CycleMachine::count(Counters& counters, Cycle cycles, const Dram::Counts* dram) const {
-  counters.set("machine.cycles", cycles);
-  counters.set("ray_dispatch.rays", dispatch_.sent());
-  for (size_t p = 0; p < pipeline_.size(); ++p) {
-    const Pipeline& unit = *pipeline_[p];
-    const std::string index = "[" + std::to_string(p) + "].";
-    auto set = [&](const char* name, const char* statistic, int64_t value) {
-      counters.set(name + index + statistic, value);
-    };
-    const HmtUnit::Counts hmt = unit.hmt->counts(cycles);
-    set("ray_setup", "rays", hmt.setup_rays);
-    const TraverseUnit::Counts& t = hmt.traverse;
-    set("traverse", "cycles", t.total());
-    set("traverse", "rays", t.rays);
-    set("traverse", "hits", t.hits);
-    set("traverse", "slots_step", t.steps);
-    set("traverse", "slots_part", t.part_slots);
-    set("traverse", "slots_compute", t.compute_slots);
-    set("traverse", "slots_miss", t.miss_slots);
-    set("traverse", "slots_refused", t.refused_slots);
-    set("traverse", "slots_dead", t.dead_slots);
-    set("traverse", "bubble_contexts_full", t.contexts_full);
-    set("traverse", "bubble_no_ray", t.no_ray);
-    set("traverse", "bubble_drain", t.drain);
-    set("traverse", "stall_hit_queue", t.stalls);
-    set("traverse", "replays", t.replays);
-    set("traverse", "kept_steps", t.kept_steps);
-    set("traverse", "line_accesses", t.steps - t.kept_steps + t.part_slots);
-    set("traverse", "resident_cycles", t.resident_cycles);
-    const HeightL1::Counts& l1 = hmt.height_l1;
-    set("height_l1", "accesses", l1.accesses);
-    set("height_l1", "hits", l1.hits);
-    set("height_l1", "misses", l1.misses);
-    set("height_l1", "merges", l1.merges);
-    set("height_l1", "refused", l1.refused);
-    set("height_l1", "fills", l1.fills);
-    set("height_l1", "fill_bytes", l1.fills * architecture_.height_l1.line_bytes);
-    set("height_l1", "evictions", l1.evictions);
-    set("height_l1", "unique_lines", l1.unique_lines);
-    set("height_l1", "mshr_cycles", l1.mshr_cycles);
-    set("hit_queue", "pushes", unit.hit_queue.pushes());
-    set("hit_queue", "pops", unit.hit_queue.pops());
-    set("hit_queue", "waited_cycles", unit.hit_queue.waited_cycles());
-    set("hit_queue", "max_fill", static_cast<int64_t>(unit.hit_queue.max_fill()));
-    const ResultWriter::Counts& writer = unit.writer.counts();
-    set("result_writer", "records", writer.records);
-    set("result_writer", "bursts", writer.bursts);
-    set("result_writer", "bytes", writer.bytes);
+  collect(kMachineCounters, {cycles}, kNoInstance, counters);
+  collect(kRayDispatchCounters, dispatch_.counts(), kNoInstance, counters);
+  for (int p = 0; p < pipelines_; ++p) {
+    const Pipeline& units = *pipeline_[static_cast<size_t>(p)];
+    const HmtUnit::Counts hmt = units.hmt->counts(cycles);
+    collect(kRaySetupCounters, hmt.ray_setup, p, counters);
+    collect(kTraverseCounters, hmt.traverse, p, counters);
+    collect(kHeightL1Counters, hmt.height_l1, p, counters);
+    collect(kHitQueueCounters, units.hit_queue.counts(), p, counters);
+    collect(kResultWriterCounters, units.writer.counts(), p, counters);
   }
-  const MemoryPort::Counts& outside = memory_.outside_counts();
-  counters.set("dram.reads", hosted_ ? outside.reads : dram->reads);
-  counters.set("dram.writes", hosted_ ? outside.writes : dram->writes);
-  counters.set("dram.read_bytes", hosted_ ? outside.read_bytes : dram->read_bytes);
-  counters.set("dram.write_bytes", hosted_ ? outside.write_bytes : dram->write_bytes);
-  if (dram == nullptr) return;
-  counters.set("dram.row_hits", dram->row_hits);
-  counters.set("dram.row_misses", dram->row_misses);
-  counters.set("dram.row_conflicts", dram->row_conflicts);
-  counters.set("dram.bus_clocks", dram->bus_clocks);
+  const DramTraffic& traffic = hosted_ ? outside_->counts() : dram_->counts();
+  collect(kDramTraffic, traffic, kNoInstance, counters);
+  if (dram != nullptr) collect(kDramCounters, *dram, kNoInstance, counters);
 }
 
 Cycle CycleMachine::end_cycle() const {

@@ -10,9 +10,11 @@
 #include "models/units/dram/dram.h"
 #include "models/units/hmt/hmt_unit.h"
 #include "models/units/memory/memory_port.h"
+#include "models/units/memory/outside_memory.h"
 #include "models/units/ports/port_log.h"
 #include "models/units/ports/port_stalls.h"
 #include "models/units/ray_dispatch/ray_dispatch.h"
+#include "models/units/ray_source.h"
 #include "models/work/step_source.h"
 #include "sim/hardware/rtl_unit.h"
 #include "sim/machine/machine.h"
@@ -56,30 +58,31 @@ struct PipelineFill : HmtUnit::Fill {
 
 /// The machine: instances and bindings. A host moves it on, a number of cycles at a time.
 ///
-/// Either all rays of a workload are there at cycle 0 and dram is inside (`run_cycle`), or a host brings the rays
-/// and serves memory. Such a host may run the machine up to `window()` cycles ahead of its own time: no answer to
-/// what leaves within a window lands in that window. Before `advance(end)` it must have told every ray, end of
-/// trace and answer of a cycle below `end`.
-class CycleMachine {
+/// Either all rays of a workload are there at cycle 0 and dram is inside (`run_cycle`), or a host brings the rays and
+/// serves memory: rays by a RaySource that the machine asks, or told one by one (RayIntake). Such a host may run the
+/// machine up to `window()` cycles ahead of its own time: no answer to what leaves within a window lands in that window.
+/// Before `advance(end)` it must have told every ray, end of trace and answer of a cycle below `end`.
+class CycleMachine final : public RayIntake {
  public:
   /// All of `work`; `work`'s pyramid and the architecture must outlive the machine.
   CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks);
   /// No ray yet (`work.rays` is not looked at), memory outside. Rays are taken in the order in which they come,
   /// whatever ray_dispatch.order is.
+  /// `source`: asked for rays in `advance`; nullptr: the host tells them.
   CycleMachine(const Workload& work, const Architecture& architecture, OutsideMemory& memory,
-               const CycleHooks& hooks = {});
+               RaySource* source, const CycleHooks& hooks = {});
   ~CycleMachine();
   CycleMachine(const CycleMachine&) = delete;
   CycleMachine& operator=(const CycleMachine&) = delete;
 
   // For a host that brings the rays and serves memory.
 
-  /// One more ray, there from `cycle` on; cycles do not go down. `pixel` = y * width + x, inside the frame.
-  void ray_arrives(const MachineRay& ray, uint32_t pixel, Cycle cycle);
-  /// No ray follows; known from `cycle` on.
-  void end_of_rays(Cycle cycle);
+  void trace_arrives(std::span<const MachineRay> rays, std::span<const uint32_t> pixels) override;
+  void ray_arrives(const MachineRay& ray, uint32_t pixel, Cycle cycle) override;
+  void end_of_rays(Cycle cycle) override;
+  /// Tells the outside memory's answer: OutsideLevel.
   void answer(uint64_t number, Cycle response, int bus_clocks, int row_activations) {
-    memory_.answer(number, response, bus_clocks, row_activations);
+    outside_->answer(number, response, bus_clocks, row_activations);
   }
   /// request_latency_cycles + response_latency_cycles.
   Cycle window() const { return window_; }
@@ -127,7 +130,9 @@ class CycleMachine {
   struct Pipeline;
 
   CycleMachine(const Workload& work, const Architecture& architecture, const CycleHooks& hooks,
-               OutsideMemory* outside);
+               OutsideMemory* outside, RaySource* source);
+  /// Makes room for what is known of each ray from number `first` on: `work_` has them.
+  void add_rays(uint32_t first);
   std::unique_ptr<HmtUnit> make_hmt(const HmtSite& site, const CycleHooks& hooks) const;
   Cycle end_cycle() const;
   /// Of what the rays read.
@@ -149,7 +154,8 @@ class CycleMachine {
   std::unique_ptr<StepSource> source_;
   std::unique_ptr<rtl::RtlJob> rtl_;  ///< where some unit is hardware
   int pipelines_;
-  bool hosted_;   ///< rays and memory are outside
+  bool hosted_;  ///< rays and memory are outside
+  RaySource* rays_;
   bool at_once_;  ///< one pipeline, memory inside, nothing held back: no windows
   Cycle window_;
   Cycle step_;  ///< pipelines advance in turn by so much
@@ -158,7 +164,9 @@ class CycleMachine {
   std::vector<RayTiming> timing_;
   std::vector<HitRecord> hits_;
   Watchdog watchdog_;
-  std::unique_ptr<Dram> dram_;
+  std::unique_ptr<Dram> dram_;             ///< inside
+  std::unique_ptr<OutsideLevel> outside_;  ///< in its place
+  std::unique_ptr<MemoryLevel> dram_level_;
   MemoryPort memory_;
   RayDispatch dispatch_;
   std::vector<std::unique_ptr<Pipeline>> pipeline_;

@@ -15,7 +15,6 @@
 namespace cuesta {
 namespace {
 
-constexpr std::array<std::string_view, 3> kArithmeticNames = {"fixed", "float", "double"};
 constexpr int64_t kCombinationsEvery = 17;  ///< rays
 constexpr int64_t kBruteEvery = 4;
 constexpr int64_t kBilinearOracleEvery = 8;

@@ -79,7 +79,8 @@ class Bench {
       : set_(set),
         random_(seed),
         stream_(random_),
-        port_(memory_, costs_),
+        level_(memory_, costs_),
+        port_(level_, false),
         model_({set.size_bytes, set.line_bytes, set.ways, set.mshrs}, set.contexts,
                stream_.lines * static_cast<uint64_t>(set.line_bytes), 0, port_, &stream_.stalls),
         image_(stream_.lines * static_cast<uint64_t>(set.line_bytes)),
@@ -164,6 +165,7 @@ class Bench {
   Stream stream_;
   Memory memory_;
   std::vector<MemoryCost> costs_;
+  OutsideLevel level_;
   MemoryPort port_;
   HeightL1 model_;
   PortLog log_;

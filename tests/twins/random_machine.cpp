@@ -17,9 +17,9 @@ namespace {
 Schedule random_schedule(Random& random, int root_level) {
   Schedule schedule = algorithms()[random.below(algorithms().size())].schedule;
   if (random.chance(0.5)) {
-    schedule.start = static_cast<StartRule>(random.below(start_names().size()));
-    schedule.down = down_values()[random.below(down_values().size())];
-    schedule.up = static_cast<UpRule>(random.below(up_names().size()));
+    schedule.start = static_cast<StartRule>(random.below(std::size(kStartNames)));
+    schedule.down = kDownValues[random.below(std::size(kDownValues))];
+    schedule.up = static_cast<UpRule>(random.below(std::size(kUpNames)));
   }
   if (random.chance(0.2)) schedule.stop_level = static_cast<int>(random.between(0, root_level));
   if (random.chance(0.5)) schedule.fetch = FetchRule::kQuad;

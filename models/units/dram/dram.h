@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "models/units/dram/dram_parameters.h"
+#include "models/units/dram/counters.h"
+#include "models/units/dram/parameters.h"
 #include "models/units/ports/port_stalls.h"
 
 namespace cuesta {
@@ -25,11 +26,7 @@ class Dram {
     Row row;
     int bus_clocks;
   };
-  struct Counts {
-    int64_t reads = 0, writes = 0, read_bytes = 0, write_bytes = 0;
-    int64_t row_hits = 0, row_misses = 0, row_conflicts = 0;
-    int64_t bus_clocks = 0;  ///< all channels
-  };
+  using Counts = DramCounts;
 
   /// `granule_bytes`: a power of two, as the parameters in bytes, channels and banks are.
   Dram(const DramParameters& parameters, int granule_bytes);

@@ -75,6 +75,7 @@ void HeightL1::land_one() {
   next_landing_ = landings_.empty() ? kNever : landings_.front().cycle;
   uint32_t& line = lines_[mshrs_[static_cast<size_t>(slot)].victim_way];
   ++counts_.fills;
+  counts_.fill_bytes += line_bytes_;
   counts_.evictions += line != kNoLine;
   line = std::exchange(pending_lines_[static_cast<size_t>(slot)], kNoLine);
   landed_.push_back(slot);

@@ -10,7 +10,8 @@
 #endif
 
 #include "models/common/ring.h"
-#include "models/units/architecture.h"
+#include "models/units/height_l1/counters.h"
+#include "models/units/height_l1/parameters.h"
 #include "models/units/memory/memory_port.h"
 #include "models/units/ports/port_log.h"
 #include "models/units/ports/port_stalls.h"
@@ -52,17 +53,7 @@ inline unsigned equal_of_four(const uint32_t* four, uint32_t line) {
 /// used at allocation; its old line can be read until the fill lands.
 class HeightL1 final : public MemoryClient {
  public:
-  struct Counts {
-    int64_t accesses = 0;  ///< lookups, retried ones included
-    int64_t hits = 0;
-    int64_t misses = 0;   ///< allocated an MSHR
-    int64_t merges = 0;   ///< joined the MSHR of an earlier miss
-    int64_t refused = 0;  ///< found no free MSHR
-    int64_t fills = 0;
-    int64_t evictions = 0;  ///< fills that replaced a line
-    int64_t unique_lines = 0;
-    int64_t mshr_cycles = 0;  ///< sum over MSHRs of the cycles they were taken
-  };
+  using Counts = HeightL1Counts;
 
   static constexpr uint32_t kNoLine = ~0u;
 

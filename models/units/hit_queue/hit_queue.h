@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "models/common/ring.h"
+#include "models/units/hit_queue/counters.h"
 #include "models/units/ports/port_stalls.h"
 
 namespace cuesta {
@@ -29,27 +30,21 @@ class HitQueue {
 
   void push(uint32_t ray, Cycle cycle) {
     entries_.push_back({ray, cycle});
-    ++pushes_;
-    max_fill_ = std::max(max_fill_, size());
+    ++counts_.pushes;
+    counts_.max_fill = std::max(counts_.max_fill, static_cast<int64_t>(size()));
   }
   void pop(Cycle cycle) {
-    waited_cycles_ += cycle - front().pushed;
+    counts_.waited_cycles += cycle - front().pushed;
     entries_.pop_front();
-    ++pops_;
+    ++counts_.pops;
   }
 
-  int64_t pushes() const { return pushes_; }
-  int64_t pops() const { return pops_; }
-  /// Sum over records of the cycles from push to pop.
-  int64_t waited_cycles() const { return waited_cycles_; }
-  /// Most records met by a push, itself included; pops of the same cycle not yet counted.
-  size_t max_fill() const { return max_fill_; }
+  const HitQueueCounts& counts() const { return counts_; }
 
  private:
   size_t depth_;
   Ring<Entry> entries_;
-  size_t max_fill_ = 0;
-  int64_t pushes_ = 0, pops_ = 0, waited_cycles_ = 0;
+  HitQueueCounts counts_;
 };
 
 }  // namespace cuesta

@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "models/units/architecture.h"
-#include "models/units/hit_queue/hit_queue.h"
+#include "models/units/hit_sink.h"
 #include "models/units/memory/memory_port.h"
 #include "models/units/ports/port_log.h"
 #include "models/units/ports/port_stalls.h"
 #include "models/units/ray_dispatch/ray_dispatch.h"
-#include "models/units/result_writer/result_writer.h"
 #include "models/work/step_source.h"
 
 namespace cuesta {
@@ -40,8 +39,7 @@ struct HmtSite {
   StepSource& source;
   RayDispatch& dispatch;
   MemoryPort& memory;
-  HitQueue& hit_queue;
-  ResultWriter& writer;
+  HitSink& sink;  ///< of rays that have ended
   std::vector<HitRecord>& hits;
   std::vector<RayTiming>& timing;
   Watchdog& watchdog;

@@ -23,9 +23,9 @@ class HmtUnit {
     int retries = 0;               ///< rays that wait for an MSHR
   };
   struct Counts {
-    int64_t setup_rays = 0;  ///< that entered ray_setup
-    TraverseUnit::Counts traverse;
-    HeightL1::Counts height_l1;
+    RaySetupCounts ray_setup;
+    TraverseCounts traverse;
+    HeightL1Counts height_l1;
   };
 
   virtual ~HmtUnit() = default;
@@ -49,7 +49,7 @@ class HmtUnit {
   /// Rays that have left by the hit stream.
   virtual int64_t completed() const = 0;
   /// As at the end of cycle `end` - 1, which is not below cycle() - 1: a unit that is finished stops earlier. In the
-  /// middle of a run setup_rays may be ahead.
+  /// middle of a run ray_setup.rays may be ahead.
   virtual Counts counts(Cycle end) = 0;
   virtual Fill fill() const = 0;
   /// Fill of every queue and who waits for whom, for the watchdog's message.
@@ -79,7 +79,7 @@ class HmtModel final : public HmtUnit {
   void log_completions(std::vector<uint32_t>* rays) override { traverse_.log_completions(rays); }
   int64_t completed() const override { return traverse_.counts().rays; }
   Counts counts(Cycle end) override {
-    return {setup_.entered(), traverse_.counts_until(end), l1_.counts_until(end)};
+    return {setup_.counts(), traverse_.counts_until(end), l1_.counts_until(end)};
   }
   Fill fill() const override {
     return {static_cast<int>(setup_.queued() + setup_.waiting()), traverse_.resident(), l1_.mshrs_taken(),

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "models/units/architecture.h"
+#include "models/units/ray_dispatch/parameters.h"
 
 namespace cuesta {
 

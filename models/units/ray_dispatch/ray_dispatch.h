@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "models/common/ring.h"
-#include "models/units/architecture.h"
 #include "models/units/ports/port_stalls.h"
+#include "models/units/ray_dispatch/counters.h"
+#include "models/units/ray_dispatch/parameters.h"
 
 namespace cuesta {
 
@@ -26,12 +27,8 @@ class RayDispatch {
     Cycle cycle;
   };
 
-  /// `targets`: for interleave, the pipeline of each ray in the machine's order; empty for first_free.
-  RayDispatch(const RayDispatchParameters& parameters, int pipelines, uint32_t rays,
-              std::vector<uint16_t> targets, const PortStalls* stalls)
-      : rays_(rays),
-        interleave_(parameters.assign == DispatchAssign::kInterleave),
-        targets_(std::move(targets)),
+  RayDispatch(const RayDispatchParameters& parameters, int pipelines, const PortStalls* stalls)
+      : interleave_(parameters.assign == DispatchAssign::kInterleave),
         credits_(static_cast<size_t>(pipelines), Ring<Cycle>(static_cast<size_t>(parameters.queue_depth))),
         queues_(static_cast<size_t>(pipelines), Ring<Sent>(static_cast<size_t>(parameters.queue_depth))),
         stalls_(stalls) {
@@ -40,14 +37,20 @@ class RayDispatch {
     }
   }
 
-  /// More rays may come, until `close`.
+  /// Takes so many rays that are there from cycle 0, before any other. `targets`: for interleave, the pipeline of each in
+  /// the machine's order; empty for first_free.
+  void trace_arrives(uint32_t rays, std::vector<uint16_t> targets) {
+    rays_ = rays;
+    targets_ = std::move(targets);
+  }
+  /// Says that more rays may come, until `close`.
   void open() { open_ = true; }
-  /// One more ray, which may be sent from `cycle` on, not below an earlier ray's; for interleave, its target.
+  /// Takes one more ray, which may be sent from `cycle` on, not below an earlier ray's; for interleave, its target.
   void arrive(Cycle cycle, uint16_t target) {
     if (interleave_) targets_.push_back(target);
     arrivals_.push_back({rays_++, cycle});
   }
-  /// No ray follows; known in `cycle`.
+  /// Learns in `cycle` that no ray follows.
   void close(Cycle cycle) {
     open_ = false;
     closed_ = cycle;
@@ -96,6 +99,7 @@ class RayDispatch {
   /// None waits, more may come.
   bool starved() const { return next_ == rays_ && open_; }
   uint32_t sent() const { return next_; }
+  RayDispatchCounts counts() const { return {next_}; }
   /// Cycle of the last send, or the one in which it was known that none follows, if later; -1 before both.
   Cycle last_sent() const { return std::max(last_sent_, closed_); }
   /// The cycle given to `close`; -1 without.
@@ -104,7 +108,7 @@ class RayDispatch {
  private:
   Cycle available(size_t p) const { return credits_[p].empty() ? kNever : credits_[p].front(); }
 
-  uint32_t rays_;
+  uint32_t rays_ = 0;
   bool interleave_;
   bool open_ = false;
   Cycle closed_ = -1;

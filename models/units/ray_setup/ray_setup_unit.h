@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "models/common/ring.h"
-#include "models/units/architecture.h"
 #include "models/units/ports/port_log.h"
 #include "models/units/ports/port_stalls.h"
 #include "models/units/ray_dispatch/ray_dispatch.h"
+#include "models/units/ray_setup/counters.h"
+#include "models/units/ray_setup/parameters.h"
 
 namespace cuesta {
 
@@ -77,7 +78,7 @@ class RaySetupUnit {
 
   /// Neither here nor in the queue before.
   bool empty() const { return ready_.empty() && source_.queue(pipeline_).empty(); }
-  int64_t entered() const { return static_cast<int64_t>(entered_); }
+  RaySetupCounts counts() const { return {static_cast<int64_t>(entered_)}; }
   size_t waiting() const { return ready_.size(); }
   size_t queued() const { return source_.queue(pipeline_).size(); }
 

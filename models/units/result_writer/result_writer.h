@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "models/units/architecture.h"
 #include "models/units/hit_queue/hit_queue.h"
 #include "models/units/memory/memory_port.h"
 #include "models/units/ports/port_stalls.h"
+#include "models/units/result_writer/counters.h"
+#include "models/units/result_writer/parameters.h"
 
 namespace cuesta {
 
@@ -19,12 +20,7 @@ namespace cuesta {
 /// burst is sent when the pipeline has no ray left (`finish`).
 class ResultWriter final : public MemoryClient {
  public:
-  struct Counts {
-    int64_t records = 0;
-    int64_t bursts = 0;
-    int64_t bytes = 0;
-    int64_t last_acknowledged = -1;  ///< cycle
-  };
+  using Counts = ResultWriterCounts;
 
   /// Burst b of this pipeline goes to `base` + (b * pipelines + pipeline) * burst_bytes.
   ResultWriter(const ResultWriterParameters& parameters, uint64_t base, int pipelines, int pipeline,

@@ -108,12 +108,7 @@ void TraverseUnit::step(Context& ray) {
 
 /// The ray in the slot at select has ended. False: the pipe stands still, time has passed.
 bool TraverseUnit::retire(int context, Cycle limit) {
-  writer_.advance(cycle_);
-  Cycle cycle = cycle_;
-  if (hit_queue_.full()) {
-    const Cycle popped = writer_.advance_to_pop(limit);
-    cycle = popped == kNever ? limit : popped + 1;
-  }
+  Cycle cycle = sink_.has_room(cycle_) ? cycle_ : sink_.next_room(limit);
   cycle = PortStalls::free_from(stalls_, Port::kHitStream, pipeline_, std::max(cycle, hits_open_from_));
   cycle = std::min(cycle, limit);
   if (cycle > cycle_) {
@@ -123,7 +118,7 @@ bool TraverseUnit::retire(int context, Cycle limit) {
     return false;
   }
   Context& ray = contexts_[static_cast<size_t>(context)];
-  hit_queue_.push(ray.ray, cycle_);
+  sink_.take(ray.ray, cycle_);
   HitRecord& hit = hits_[ray.trace];
   const FetchCounts fetches = source_.finish(ray.ray, hit);
   timing_[ray.trace] = {cycle_, static_cast<uint32_t>(cycle_ - ray.sent), hit.steps + ray.other_slots,
@@ -255,10 +250,7 @@ std::string TraverseUnit::who_waits() const {
          n(occupied_) + " in the pipe, the others wait for height_l1; height_l1: " + n(l1_.mshrs_taken()) +
          " MSHRs taken, wait for dram, " + n(l1_.retry_fill()) +
          " rays wait for an MSHR; ray_setup: " + n(setup_.queued()) + " rays queued, " + n(setup_.waiting()) +
-         " in set-up; hit_queue: " + n(hit_queue_.size()) +
-         " records wait for result_writer; result_writer: " + n(writer_.filled()) + " records, " +
-         n(writer_.unacknowledged()) + " bursts wait for dram; ray_dispatch: " + n(dispatch_.sent()) +
-         " rays sent";
+         " in set-up; " + sink_.who_waits() + "; ray_dispatch: " + n(dispatch_.sent()) + " rays sent";
 }
 
 }  // namespace cuesta

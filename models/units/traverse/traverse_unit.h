@@ -7,13 +7,14 @@
 #include "models/units/height_l1/height_l1.h"
 #include "models/units/hmt/hmt_site.h"
 #include "models/units/ray_setup/ray_setup_unit.h"
+#include "models/units/traverse/counters.h"
 
 namespace cuesta {
 
 /// traverse: one step of one ray per cycle. What a step is, its StepSource says: a node visit, or a step of an
 /// approximate search.
 ///
-/// Ports: rays from ray_setup, lookups to height_l1, replays from height_l1, hit stream to hit_queue. All but the
+/// Ports: rays from ray_setup, lookups to height_l1, replays from height_l1, hit stream to a HitSink (hit_queue). All but the
 /// choice within a cycle are registered.
 /// Timing: a rigid pipe of `stages` slots that go round. Each enabled cycle one slot is at select. A ray that has
 /// ended leaves by the hit stream (with hit_queue full the whole pipe stands still) and its context is free at
@@ -34,28 +35,7 @@ namespace cuesta {
 /// The value, which lines a ray reads and where it ends, comes from a StepSource.
 class TraverseUnit {
  public:
-  /// Cycles by what the pipe did; they add up to all cycles.
-  struct Counts {
-    int64_t steps = 0;          ///< slots: a node visit is done
-    int64_t part_slots = 0;     ///< slots: a line was read, others of its step are still to come
-    int64_t compute_slots = 0;  ///< slots: arithmetic before the lines of a step
-    int64_t miss_slots = 0;     ///< slots: a lookup that missed and parked the ray on an MSHR
-    int64_t refused_slots = 0;  ///< slots: a lookup that missed and found no free MSHR
-    int64_t dead_slots = 0;     ///< slots: a ray dead at set-up
-    int64_t contexts_full = 0;  ///< bubbles: every context waits for memory
-    int64_t no_ray = 0;         ///< bubbles: no ray to take, some still to come
-    int64_t drain = 0;          ///< bubbles: no ray left for this pipeline
-    int64_t stalls = 0;         ///< pipe stands still: hit_queue is full
-    int64_t replays = 0;        ///< of the line accesses: replayed after a miss
-    int64_t kept_steps = 0;     ///< of the steps: read nothing, the ray had kept the siblings
-    int64_t rays = 0;           ///< completed
-    int64_t hits = 0;
-    int64_t resident_cycles = 0;  ///< sum over rays of cycles in a context
-    int64_t total() const {
-      return steps + part_slots + compute_slots + miss_slots + refused_slots + dead_slots + contexts_full +
-             no_ray + drain + stalls;
-    }
-  };
+  using Counts = TraverseCounts;
 
   TraverseUnit(const HmtSite& site, RaySetupUnit& setup, HeightL1& l1)
       : source_(site.source),
@@ -64,8 +44,7 @@ class TraverseUnit {
         dispatch_(site.dispatch),
         setup_(setup),
         l1_(l1),
-        hit_queue_(site.hit_queue),
-        writer_(site.writer),
+        sink_(site.sink),
         hits_(site.hits),
         timing_(site.timing),
         watchdog_(site.watchdog),
@@ -159,8 +138,7 @@ class TraverseUnit {
   RayDispatch& dispatch_;
   RaySetupUnit& setup_;
   HeightL1& l1_;
-  HitQueue& hit_queue_;
-  ResultWriter& writer_;
+  HitSink& sink_;
   std::vector<HitRecord>& hits_;
   std::vector<RayTiming>& timing_;
   Watchdog& watchdog_;

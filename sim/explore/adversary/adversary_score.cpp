@@ -19,7 +19,6 @@ namespace {
 constexpr std::string_view kNames[] = {"steps", "cycles", "error"};
 constexpr std::string_view kUnits[] = {"steps per ray", "cycles per ray",
                                        "slabs of height, mean over the rays"};
-constexpr std::array<std::string_view, 3> kArithmeticNames = {"fixed", "float", "double"};
 
 }  // namespace
 

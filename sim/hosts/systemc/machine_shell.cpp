@@ -54,7 +54,8 @@ void MachineShell::load(const MachineSetup& setup, const Progress& progress) {
   progress_ = progress;
   format_ = number_format(architecture.traverse, setup.map);
   clock_.emplace(architecture.machine.clock_mhz, sc_core::sc_time_stamp());
-  machine_ = std::make_unique<CycleMachine>(work_of(setup), architecture, static_cast<OutsideMemory&>(*this));
+  machine_ = std::make_unique<CycleMachine>(work_of(setup), architecture, static_cast<OutsideMemory&>(*this),
+                                            nullptr);
   const auto most_in_a_window =
       static_cast<uint64_t>(machine_->window()) * static_cast<uint64_t>(architecture.machine.pipelines);
   hit_places_ = parameters_.hit_fifo == 0 ? 4 * most_in_a_window : parameters_.hit_fifo;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "models/common/random.h"
-#include "models/units/memory/memory_port.h"
+#include "models/units/memory/outside_memory.h"
 
 namespace cuesta {
 

@@ -62,7 +62,8 @@ LockstepRig::LockstepRig(const LockstepCase& one, const LockstepMachine& machine
   const DramParameters& dram = settings_.architecture.dram;
   if (settings_.memory) {
     memory_.emplace(*settings_.memory, dram.request_latency_cycles + dram.response_latency_cycles);
-    machine_ = std::make_unique<CycleMachine>(load, settings_.architecture, *memory_, hooks);
+    machine_ = std::make_unique<CycleMachine>(load, settings_.architecture, *memory_, static_cast<RaySource*>(this),
+                                              hooks);
     order_.resize(work_->rays.size());
     std::iota(order_.begin(), order_.end(), 0u);
     if (!order_.empty()) next_arrival_ = settings_.memory->gap_before(0);
@@ -77,7 +78,7 @@ void LockstepRig::advance(Cycle end) {
   try {
     while (!stuck_ && now_ < end) {
       const Cycle next = memory_ ? std::min(end, now_ + machine_->window()) : end;
-      if (memory_) feed(next);
+      if (memory_) tell_answers();
       machine_->advance(next);
       now_ = next;
     }
@@ -87,18 +88,21 @@ void LockstepRig::advance(Cycle end) {
   }
 }
 
-/// What the machine must know before it goes on to `end`.
-void LockstepRig::feed(Cycle end) {
+/// Tells the machine what the random memory has answered since.
+void LockstepRig::tell_answers() {
   for (const RandomMemory::Answer& answer : memory_->answers())
     machine_->answer(answer.number, answer.response, 0, 0);
   memory_->answers().clear();
-  while (arrived_ < work_->rays.size() && next_arrival_ < end) {
-    machine_->ray_arrives(work_->rays[arrived_], work_->pixels[arrived_], next_arrival_);
+}
+
+void LockstepRig::bring_until(Cycle limit, RayIntake& machine) {
+  while (arrived_ < work_->rays.size() && next_arrival_ < limit) {
+    machine.ray_arrives(work_->rays[arrived_], work_->pixels[arrived_], next_arrival_);
     if (++arrived_ < work_->rays.size()) next_arrival_ += settings_.memory->gap_before(arrived_);
   }
   if (arrived_ == work_->rays.size() && !ended_) {
     ended_ = true;
-    machine_->end_of_rays(next_arrival_);
+    machine.end_of_rays(next_arrival_);
   }
 }
 

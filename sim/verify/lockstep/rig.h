@@ -29,7 +29,7 @@ struct LockstepWork {
 };
 
 /// One side of a comparison: its machine from reset on, with what it meets.
-class LockstepRig {
+class LockstepRig final : private RaySource {
  public:
   LockstepRig(const LockstepCase& one, const LockstepMachine& machine,
               std::shared_ptr<const LockstepWork> work, const WaveWindow& waves = {});
@@ -52,7 +52,8 @@ class LockstepRig {
   uint32_t position(uint32_t ray) const { return order_[ray]; }
 
  private:
-  void feed(Cycle end);
+  void tell_answers();
+  void bring_until(Cycle limit, RayIntake& machine) override;
 
   LockstepMachine settings_;
   std::shared_ptr<const LockstepWork> work_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/units/dram/dram.h"
+#include "models/units/dram/dram_level.h"
 #include "models/units/height_l1/height_l1.h"
 #include "models/units/hit_queue/hit_queue.h"
 #include "models/units/memory/memory_port.h"
@@ -119,7 +120,8 @@ TEST(UnitEqualsTwin, HeightL1) {
     const int line_bytes = a.height_l1.line_bytes;
     std::vector<MemoryCost> costs(kContexts);
     Dram dram(a.dram, line_bytes);
-    MemoryPort memory(dram, a.dram.request_latency_cycles, false, costs);
+    DramLevel level(dram, a.dram.request_latency_cycles, costs);
+    MemoryPort memory(level, false);
     HeightL1 fast(a.height_l1, kContexts, kLines * static_cast<uint64_t>(line_bytes), 0, memory, stalls);
     DramTwin dram_twin(a.dram, line_bytes, line_bytes, 1, machine.stalls);
     HeightL1Twin twin(a.height_l1, 0, machine.stalls);
@@ -185,7 +187,8 @@ TEST(UnitEqualsTwin, RayDispatchAndRaySetup) {
                                                 static_cast<uint32_t>(pipelines)));
       }
     }
-    RayDispatch fast(a.ray_dispatch, pipelines, rays, targets, stalls);
+    RayDispatch fast(a.ray_dispatch, pipelines, stalls);
+    fast.trace_arrives(rays, targets);
     RayDispatchTwin twin(a.ray_dispatch, pipelines, machine.pixels, machine.width, machine.stalls);
     std::vector<RaySetupUnit> fast_setups;
     std::vector<RaySetupTwin> setups;
@@ -233,7 +236,8 @@ TEST(UnitEqualsTwin, HitQueueAndResultWriter) {
     constexpr int kRecords = 150;
     std::vector<MemoryCost> costs(kRecords);
     Dram dram(a.dram, burst_bytes);
-    MemoryPort memory(dram, a.dram.request_latency_cycles, false, costs);
+    DramLevel level(dram, a.dram.request_latency_cycles, costs);
+    MemoryPort memory(level, false);
     HitQueue fast_queue(a.hit_queue.depth);
     ResultWriter fast(a.result_writer, 0, 1, 0, fast_queue, memory, stalls);
     DramTwin dram_twin(a.dram, burst_bytes, burst_bytes, 1, machine.stalls);
@@ -273,8 +277,8 @@ TEST(UnitEqualsTwin, HitQueueAndResultWriter) {
     EXPECT_EQ(fast.counts().records, kRecords) << "seed " << seed;
     EXPECT_EQ(fast.counts().last_acknowledged, last_acknowledged) << "seed " << seed;
     EXPECT_TRUE(fast.idle()) << "seed " << seed;
-    EXPECT_EQ(fast_queue.max_fill(), queue.most()) << "seed " << seed;
-    EXPECT_EQ(fast_queue.waited_cycles(), queue.record_cycles()) << "seed " << seed;
+    EXPECT_EQ(static_cast<size_t>(fast_queue.counts().max_fill), queue.most()) << "seed " << seed;
+    EXPECT_EQ(fast_queue.counts().waited_cycles, queue.record_cycles()) << "seed " << seed;
   }
 }
 

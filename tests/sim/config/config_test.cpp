@@ -77,7 +77,7 @@ TEST(Parameters, AreDistinctAndTheirDefaultsAreAccepted) {
 }
 
 TEST(Parameters, CoverEveryFieldOfTheMachine) {
-  // 3 + 6 + 3 + 12 + 4 + 1 + 2 + 12 + 1 + 2 fields in models/units/architecture.h and models/units/dram/dram_parameters.h.
+  // 3 + 6 + 3 + 12 + 4 + 1 + 2 + 12 + 1 + 2 fields in models/units/architecture.h and models/units/dram/parameters.h.
   EXPECT_EQ(parameters().size(), 46u);
   EXPECT_EQ(parameter_sections().size(), 10u);
 }
