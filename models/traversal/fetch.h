@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
 
 #include "models/heightmap/pyramid.h"
-#include "models/heightmap/texel_layout.h"
 
 // What visits read from memory under FetchRule::kQuad. It stands beside the walk and never changes it. Nodes are named
 // as they are fetched: in the map's own frame, after flip and address mode.
@@ -15,7 +13,7 @@ namespace cuesta {
 /// The 2 x 2 siblings that a ray fetched last.
 class KeptQuad {
  public:
-  /// Whether the visit of node (level, i, j) must fetch; if so, the node's siblings are the kept ones from now on.
+  /// Says whether the visit of node (level, i, j) must fetch; if so, the node's siblings are kept from now on.
   bool fetches(int level, int64_t i, int64_t j) {
     const int64_t x = i >> 1, y = j >> 1;
     if (level == level_ && x == x_ && y == y_) return false;
@@ -53,28 +51,5 @@ struct FetchCounts {
     texels += other.texels;
   }
 };
-
-// The lines of a ray's steps are stored as numbers below 2^30, with these marks.
-inline constexpr uint32_t kMoreLines = uint32_t{1} << 31;  ///< the step is not done with this line
-inline constexpr uint32_t kKeptStep = uint32_t{1}
-                                      << 30;  ///< a step that reads nothing, in the place of a line
-inline constexpr uint32_t kComputeSlot =
-    kMoreLines | kKeptStep;  ///< a slot of arithmetic that reads nothing, before the lines of its step
-inline constexpr uint32_t kLineMask = kKeptStep - 1;
-
-/// Appends the different lines of a quad, row by row; all but the last carry kMoreLines.
-inline void append_lines(const TexelLayout& layout, int line_shift, const Quad& quad,
-                         std::vector<uint32_t>& lines) {
-  const size_t first = lines.size();
-  for (int j = quad.j; j < quad.j + quad.height; ++j) {
-    for (int i = quad.i; i < quad.i + quad.width; ++i) {
-      const auto line = static_cast<uint32_t>(layout.offset(quad.level, i, j) >> line_shift);
-      if (std::find(lines.begin() + static_cast<ptrdiff_t>(first), lines.end(), line) == lines.end()) {
-        lines.push_back(line);
-      }
-    }
-  }
-  for (size_t k = first; k + 1 < lines.size(); ++k) lines[k] |= kMoreLines;
-}
 
 }  // namespace cuesta

@@ -5,19 +5,10 @@
 #include <vector>
 
 #include "models/heightmap/pyramid.h"
-#include "models/heightmap/texel_layout.h"
+#include "models/traversal/step_lines.h"
 #include "models/traversal/traversal.h"
-#include "models/work/step_source.h"
 
 namespace cuesta {
-
-/// Lines of memory, in the order in which each ray's steps read them.
-struct LineRecorder {
-  const TexelLayout* layout;
-  int line_shift;                ///< log2 of the bytes of a line
-  std::vector<uint32_t>* lines;  ///< appended to, ray after ray, in any order of rays
-  LineSpan* spans;               ///< per ray of the call
-};
 
 /// Whether `traverse_lanes` can do this walk on this processor: fixed point, a square power of two that wraps or ends
 /// at its border, texels fetched one by one, downs of 1 to 3 levels, slopes below 2^31, AVX-512.

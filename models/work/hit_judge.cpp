@@ -6,7 +6,7 @@
 #include "models/oracle/exact_ray.h"
 #include "models/rays/hit_time.h"
 #include "models/traversal/arithmetic.h"
-#include "models/work/workload.h"
+#include "models/work/functional_run.h"
 
 namespace cuesta {
 namespace {
@@ -29,15 +29,10 @@ Histogram error_histogram(std::string name, std::span<const double> errors) {
   return make_histogram(std::move(name), std::move(parts));
 }
 
-HitJudge::HitJudge(const Workload& work, const NumberFormat& format) : work_(work), format_(format) {
+HitJudge::HitJudge(const Workload& work) : work_(work) {
   work_.search.reset();
   work_.schedule = find_algorithm("yun2013")->schedule;
-  Architecture architecture;
-  architecture.traverse.arithmetic = Arithmetic::kDouble;
-  architecture.traverse.fraction_bits = format.fraction_bits;
-  architecture.traverse.direction_bits = format.direction_bits;
-  architecture.traverse.mantissa_bits = format.mantissa_bits;
-  architecture.traverse.tile_bits = format.tile_bits;
+  work_.arithmetic = Arithmetic::kDouble;
   const Pyramid& pyramid = *work_.pyramid;
   map_.values = pyramid.level(0);
   map_.width = pyramid.width(0);
@@ -45,11 +40,11 @@ HitJudge::HitJudge(const Workload& work, const NumberFormat& format) : work_(wor
   map_.highest = pyramid.highest();
   map_.shape = work_.map;
   exact_.resize(work_.rays.size());
-  truth_ = run_functional(work_, architecture).hits;
+  truth_ = run_functional(work_).hits;
 }
 
 double HitJudge::time_of(const HitRecord& hit, Arithmetic arithmetic) const {
-  const double unit = DoubleArithmetic::format(work_.map, format_).unit_of_time;
+  const double unit = DoubleArithmetic::format(work_.map, work_.format).unit_of_time;
   const double t = recorded_time(hit, arithmetic);
   return arithmetic == Arithmetic::kFixed ? t : t / unit;
 }
@@ -57,9 +52,9 @@ double HitJudge::time_of(const HitRecord& hit, Arithmetic arithmetic) const {
 double HitJudge::depth_of(size_t ray, const HitRecord& hit, Arithmetic arithmetic) const {
   if (hit.status != HitStatus::kHit) return 1;
   const MachineRay& input = work_.rays[ray];
-  const double unit = DoubleArithmetic::format(work_.map, format_).unit_of_time;
+  const double unit = DoubleArithmetic::format(work_.map, work_.format).unit_of_time;
   const double start =
-      static_cast<double>(input.z0) / static_cast<double>(int64_t{1} << format_.fraction_bits);
+      static_cast<double>(input.z0) / static_cast<double>(int64_t{1} << work_.format.fraction_bits);
   const double height = start + time_of(hit, arithmetic) * unit * static_cast<double>(input.dz);
   return 1 - height / static_cast<double>(work_.map.full_scale());
 }
@@ -70,7 +65,7 @@ const OracleHit<Int128>& HitJudge::exact_hit(size_t ray, const ExactRay<Int128>&
 }
 
 Judgement HitJudge::judge(std::span<const HitRecord> hits, Arithmetic arithmetic) {
-  const double unit = DoubleArithmetic::format(work_.map, format_).unit_of_time;
+  const double unit = DoubleArithmetic::format(work_.map, work_.format).unit_of_time;
 
   Judgement judgement;
   judgement.verdicts.reserve(hits.size());
@@ -85,7 +80,7 @@ Judgement HitJudge::judge(std::span<const HitRecord> hits, Arithmetic arithmetic
     }
     Verdict verdict = Verdict::kExact;
     if (!same_answer(hit, truth_[k])) {
-      const ExactRay<Int128> exact = exact_ray(ray, work_.map, format_, OracleInput::kMachineInput);
+      const ExactRay<Int128> exact = exact_ray(ray, work_.map, work_.format, OracleInput::kMachineInput);
       verdict = cuesta::judge(exact, map_, exact_hit(k, exact),
                               {is_hit, hit.i, hit.j, is_hit ? time_of(hit, arithmetic) : 0.0});
     }

@@ -35,8 +35,9 @@ Histogram error_histogram(std::string name, std::span<const double> errors);
 /// Holds hits against exact arithmetic on the ray as it enters the machine.
 class HitJudge {
  public:
-  /// `work`: pyramid (max, from the leaves), map and rays, which must outlive the judge.
-  HitJudge(const Workload& work, const NumberFormat& format);
+  /// Takes pyramid (max, from the leaves), map, rays and their format from `work`; what that points to must outlive the
+  /// judge.
+  explicit HitJudge(const Workload& work);
 
   /// `hits`: one per ray, all finished, with times as `arithmetic` has them. A ray whose cell the walk in double finds as
   /// well is exact (verify oracle holds that walk against exact arithmetic); every other ray is judged by the oracle.
@@ -53,7 +54,6 @@ class HitJudge {
   const OracleHit<Int128>& exact_hit(size_t ray, const ExactRay<Int128>& exact);
 
   Workload work_;
-  NumberFormat format_;
   OracleMap map_;
   std::vector<HitRecord> truth_;
   std::vector<std::optional<OracleHit<Int128>>> exact_;  ///< per ray, once it was asked for

@@ -2,50 +2,42 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
+#include "models/heightmap/texel_layout.h"
 #include "models/rays/hit.h"
-#include "models/traversal/fetch.h"
+#include "models/traversal/step_lines.h"
+#include "models/work/walker.h"
+#include "models/work/workload.h"
 
 namespace cuesta {
 
-/// The steps of one ray: the lines of memory that its node visits read, in order, marked as fetch.h says: one a step
-/// with FetchRule::kTexel. Empty: dead at set-up.
-struct RaySteps {
-  const uint32_t* next;
-  const uint32_t* end;
-};
-
-/// Where the steps of a ray lie in a list of lines.
-struct LineSpan {
-  uint64_t first;
-  uint64_t count;
-};
-
-/// Where the cycle model gets the value from: what each ray visits and where it ends. No step depends on time, so
-/// the value is computed apart, a batch of rays ahead, by the same code as in the functional run; the units in
-/// time only ask which line comes next.
+/// Where the units in time get the value from: what each ray visits and where it ends. No step depends on time, so the
+/// value is computed apart, a batch of rays ahead, by the same walker as in the functional run; the units only ask which
+/// line comes next.
 ///
-/// Rays are numbered in the machine's order and asked for in about that order; a batch is dropped when all its
-/// rays are done.
+/// Rays are numbered in the machine's order and asked for in about that order; a batch is dropped when all its rays are
+/// done.
 class StepSource {
  public:
-  /// `rays`: those that there are; `set_rays` when more have come.
-  explicit StepSource(uint32_t rays) : rays_(rays) {}
-  virtual ~StepSource() = default;
+  /// `order`: of the machine, each a position in the trace; the rays that it names are there. Rays may be added behind
+  /// them (`set_rays`). All references must outlive the source.
+  StepSource(const Workload& work, const TexelLayout& layout, int line_bytes,
+             const std::vector<uint32_t>& order);
   StepSource(const StepSource&) = delete;
   StepSource& operator=(const StepSource&) = delete;
 
   void set_rays(uint32_t rays) { rays_ = rays; }
 
-  /// Of a ray that is there; valid until `finish(ray)`.
+  /// Returns the steps of a ray that is there; valid until `finish(ray)`.
   RaySteps steps(uint32_t ray) {
     while (ray >= made_) make_batch();
     const Batch& batch = batch_of(ray);
     const LineSpan& span = batch.spans[ray - batch.first_ray];
     return {batch.lines.data() + span.first, batch.lines.data() + span.first + span.count};
   }
-  /// Where the ray ends; returns what it has read over all its steps, which are dropped.
+  /// Says where the ray ends; returns what it has read over all its steps, which are dropped.
   FetchCounts finish(uint32_t ray, HitRecord& hit) {
     Batch& batch = batch_of(ray);
     hit = batch.hits[ray - batch.first_ray];
@@ -55,7 +47,7 @@ class StepSource {
     return fetches;
   }
 
- protected:
+ private:
   struct Batch {
     uint32_t first_ray = 0;
     uint32_t unfinished = 0;
@@ -65,10 +57,6 @@ class StepSource {
     std::vector<FetchCounts> fetches;  ///< per ray; empty: each step fetches one texel
   };
 
-  /// Fills lines, spans and hits of the rays first_ray .. first_ray + spans.size() - 1.
-  virtual void produce(Batch& batch) = 0;
-
- private:
   Batch& batch_of(uint32_t ray) {
     for (Batch& batch : batches_) {
       if (ray - batch.first_ray < batch.spans.size()) return batch;
@@ -78,6 +66,11 @@ class StepSource {
   void make_batch();
   void drop_finished();
 
+  const Workload& work_;
+  const TexelLayout& layout_;
+  int line_shift_;
+  const std::vector<uint32_t>& order_;
+  std::unique_ptr<Walker> walker_;
   uint32_t rays_;
   uint32_t made_ = 0;
   uint32_t batch_rays_ = 256;  ///< of the next batch, so that its lines stay within a few megabytes

@@ -11,6 +11,7 @@
 #include "sim/cli/progress.h"
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
+#include "sim/config/on_architecture.h"
 #include "sim/explore/adversary/adversary.h"
 #include "sim/explore/adversary/adversary_files.h"
 

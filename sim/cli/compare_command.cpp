@@ -9,6 +9,7 @@
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
+#include "sim/config/on_architecture.h"
 #include "sim/session/measure.h"
 
 namespace cuesta {

@@ -1,4 +1,5 @@
 #include "sim/cli/run_options.h"
+#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <charconv>

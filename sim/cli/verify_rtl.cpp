@@ -14,6 +14,7 @@
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
+#include "sim/config/on_architecture.h"
 #include "sim/verify/lockstep/case_files.h"
 #include "sim/verify/lockstep/lockstep.h"
 #include "sim/verify/lockstep/rtl_sides.h"

@@ -1,4 +1,5 @@
 #include "sim/hardware/choose_set.h"
+#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 

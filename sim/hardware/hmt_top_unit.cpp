@@ -67,7 +67,7 @@ class HmtTopUnit final : public RtlUnit, public MemoryClient {
 void HmtTopUnit::configure() {
   const MapShape& map = job_.work.map;
   const Schedule& schedule = job_.work.schedule;
-  const NumberFormat format = number_format(site_.architecture.traverse, map);
+  const NumberFormat format = job_.work.format;
   const uint64_t mode = static_cast<uint64_t>(map.root_level) |
                         static_cast<uint64_t>(map.address_mode == AddressMode::kBorder) << 4 |
                         static_cast<uint64_t>(schedule.start) << 5 |

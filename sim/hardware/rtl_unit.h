@@ -47,8 +47,7 @@ class RtlUnit : public HmtUnit {
   RtlUnit(std::string name, const RtlJob& job, const HmtSite& site)
       : job_(job),
         site_(site),
-        most_slots_(kSlotsOfAStep *
-                    most_steps(job.work.map, number_format(site.architecture.traverse, job.work.map))),
+        most_slots_(kSlotsOfAStep * most_steps(job.work.map, job.work.format)),
         name_(std::move(name)) {}
 
   /// One cycle, `cycle_`.

@@ -18,8 +18,7 @@ class TraverseRtl final : public RtlUnit {
             site.memory, site.stalls),
         setup_(site.architecture.ray_setup, site.architecture.ray_dispatch, site.pipeline, site.dispatch,
                site.stalls),
-        walk_(job.work.map, number_format(site.architecture.traverse, job.work.map), job.work.schedule,
-              job.work.pyramid->highest()),
+        walk_(job.work.map, job.work.format, job.work.schedule, job.work.pyramid->highest()),
         texel_bytes_(job.work.pyramid->texel_bytes()),
         line_bytes_(static_cast<uint64_t>(site.architecture.height_l1.line_bytes)) {
     TraversePort::Settings settings{job.work.map,

@@ -9,9 +9,9 @@
 #include "models/units/ray_dispatch/dispatch_order.h"
 #include "models/units/result_writer/result_writer.h"
 #include "models/units/traverse/run_ahead_traverse.h"
-#include "models/work/outcome.h"
-#include "models/work/traversal_source.h"
+#include "sim/config/on_architecture.h"
 #include "sim/hardware/choose_set.h"
+#include "sim/machine/time_measurements.h"
 
 namespace cuesta {
 
@@ -59,7 +59,7 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
       layout_(architecture.texels.layout, *work.pyramid),
       order_(dispatch_order(work.pixel_of_ray, work.width, architecture.ray_dispatch.order,
                             architecture.ray_dispatch.tile_size)),
-      source_(make_traversal_source(work_, architecture, layout_, order_)),
+      source_(std::make_unique<StepSource>(work_, layout_, architecture.height_l1.line_bytes, order_)),
       pipelines_(architecture.machine.pipelines),
       hosted_(outside != nullptr),
       at_once_(pipelines_ == 1 && hooks.stalls == nullptr && !hosted_),
@@ -75,6 +75,11 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
                       : MemoryPort(*dram_, architecture.dram.request_latency_cycles, at_once_, costs_)),
       dispatch_(architecture.ray_dispatch, pipelines_, static_cast<uint32_t>(work.rays.size()), targets(),
                 hooks.stalls) {
+  if (work.arithmetic != architecture.traverse.arithmetic ||
+      work.format != number_format(architecture.traverse, work.map)) {
+    throw Error(ExitCode::kInternal,
+                "The workload's numbers are not those of the architecture's [traverse] section.");
+  }
   for (size_t k = 0; k < hits_.size(); ++k) {
     hits_[k].ray_id = work.rays[k].id;
     hits_[k].status = HitStatus::kDidNotFinish;

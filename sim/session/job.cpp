@@ -7,6 +7,7 @@
 #include "models/common/digest.h"
 #include "models/common/error.h"
 #include "models/rays/hit.h"
+#include "sim/config/on_architecture.h"
 #include "traces/heightmaps/height_source_text.h"
 #include "traces/scene_heights.h"
 #include "traces/scene_library.h"
@@ -172,11 +173,12 @@ std::vector<MachineRay> machine_rays(const Job& job, const NumberFormat& format)
   return rays;
 }
 
-Workload workload_of(const Job& job, std::span<const MachineRay> rays, const Algorithm& algorithm,
-                     const SearchMap* map) {
+Workload workload_of(const Job& job, const Architecture& architecture, std::span<const MachineRay> rays,
+                     const Algorithm& algorithm, const SearchMap* map) {
   Workload work;
   work.pyramid = &job.pyramid;
   work.map = job.map;
+  set_numbers(work, architecture);
   work.rays = rays;
   work.pixel_of_ray = job.pixel_of_ray;
   work.width = job.trace.width;

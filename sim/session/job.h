@@ -8,8 +8,9 @@
 
 #include "models/heightmap/pyramid.h"
 #include "models/rays/machine_ray.h"
+#include "models/units/architecture.h"
+#include "models/work/workload.h"
 #include "reports/result.h"
-#include "sim/machine/machine.h"
 #include "traces/front_end.h"
 #include "traces/ray_trace.h"
 #include "traces/scene.h"
@@ -51,9 +52,9 @@ Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& chang
 /// A job's rays as they enter a machine with numbers of that format.
 std::vector<MachineRay> machine_rays(const Job& job, const NumberFormat& format);
 
-/// An algorithm over a job: `rays` of machine_rays; `map` what a search reads, nullptr for a schedule. All of them
+/// Makes the work of an algorithm over a job, in the architecture's numbers: `rays` of machine_rays; `map` what a search reads, nullptr for a schedule. All of them
 /// must outlive the workload.
-Workload workload_of(const Job& job, std::span<const MachineRay> rays, const Algorithm& algorithm,
-                     const SearchMap* map = nullptr);
+Workload workload_of(const Job& job, const Architecture& architecture, std::span<const MachineRay> rays,
+                     const Algorithm& algorithm, const SearchMap* map = nullptr);
 
 }  // namespace cuesta

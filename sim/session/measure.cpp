@@ -1,4 +1,6 @@
 #include "sim/session/measure.h"
+#include "models/work/functional_run.h"
+#include "sim/config/on_architecture.h"
 
 #include <chrono>
 
@@ -24,9 +26,8 @@ MachineFacts facts_of(const Architecture& a, Fidelity fidelity, int texel_bytes)
 
 /// Hardware's records against the value of the walk, which the model's machine has by construction: the hardware may be
 /// anybody's. Throws Error(kMismatch) for the first that differs.
-void check_hardware(const Workload& work, const Architecture& architecture,
-                    const std::vector<HitRecord>& hits, const std::string& run_name) {
-  const std::vector<HitRecord> right = run_functional(work, architecture).hits;
+void check_hardware(const Workload& work, const std::vector<HitRecord>& hits, const std::string& run_name) {
+  const std::vector<HitRecord> right = run_functional(work).hits;
   for (size_t k = 0; k < hits.size(); ++k) {
     if (hits[k] == right[k]) continue;
     const uint32_t pixel = work.pixel_of_ray[k], width = static_cast<uint32_t>(work.width);
@@ -116,21 +117,20 @@ const SearchMap& Measurer::search_map_for(const Search& search) {
   return search_maps_.emplace(search.kind, std::move(map)).first->second;
 }
 
-void Measurer::judge(const Workload& work, const NumberFormat& format, Arithmetic arithmetic,
-                     Outcome& outcome) {
-  if (!judge_ || !(judge_format_ == format)) {
-    judge_.emplace(work, format);
-    judge_format_ = format;
+void Measurer::judge(const Workload& work, Outcome& outcome) {
+  if (!judge_ || !(judge_format_ == work.format)) {
+    judge_.emplace(work);
+    judge_format_ = work.format;
   }
-  add_error_measurements(work, judge_->judge(outcome.hits, arithmetic), outcome.measurements);
+  add_error_measurements(work, judge_->judge(outcome.hits, work.arithmetic), outcome.measurements);
 }
 
-void Measurer::check_same_hits(const std::vector<HitRecord>& hits, const Architecture& architecture,
-                               int stop_level, const std::string& run_name) {
-  const NumberFormat format = number_format(architecture.traverse, job_.map);
-  std::string numbers = std::to_string(static_cast<int>(architecture.traverse.arithmetic));
-  for (int bits :
-       {format.fraction_bits, format.direction_bits, format.mantissa_bits, format.tile_bits, stop_level}) {
+void Measurer::check_same_hits(const Workload& work, const std::vector<HitRecord>& hits,
+                               const std::string& run_name) {
+  const NumberFormat& format = work.format;
+  std::string numbers = std::to_string(static_cast<int>(work.arithmetic));
+  for (int bits : {format.fraction_bits, format.direction_bits, format.mantissa_bits, format.tile_bits,
+                   work.schedule.stop_level}) {
     numbers += "," + std::to_string(bits);
   }
   const std::string digest = steps_free_digest(hits);
@@ -147,9 +147,10 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
   check(named, architecture);
   const Algorithm algorithm = algorithm_on(named, architecture.traverse);
   const SearchMap* const map = algorithm.search ? &search_map_for(*algorithm.search) : nullptr;
-  Workload work = workload_of(job_, rays_for(number_format(architecture.traverse, job_.map)), algorithm, map);
+  Workload work = workload_of(job_, architecture, {}, algorithm, map);
+  work.rays = rays_for(work.format);
   work.pyramid = &pyramid_for(algorithm);
-  Outcome outcome = fidelity == Fidelity::kFunctional    ? run_functional(work, architecture, progress)
+  Outcome outcome = fidelity == Fidelity::kFunctional    ? run_functional(work, progress)
                     : fidelity == Fidelity::kTransaction ? run_transaction(work, architecture, progress)
                     : cycle_runner_ ? cycle_runner_(work, job_.trace.rays, architecture, progress)
                                     : run_cycle(work, architecture, progress);
@@ -163,8 +164,7 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
   entry.finished_rays = outcome.finished_rays;
   entry.all_rays = work.rays.size();
   if (!entry.partial()) {
-    if (work.search)
-      judge(work, number_format(architecture.traverse, job_.map), architecture.traverse.arithmetic, outcome);
+    if (work.search) judge(work, outcome);
     const std::string run_name = entry.algorithm + " on " + entry.architecture;
     const std::vector<std::string> broken = broken_laws(work, architecture, fidelity, outcome);
     if (!broken.empty()) {
@@ -175,9 +175,9 @@ RunEntry Measurer::run(const Algorithm& named, const Architecture& architecture,
     const UnitParameters& units = architecture.units;
     if (fidelity != Fidelity::kFunctional &&
         (units.hmt_top == Implementation::kRtl || units.traverse == Implementation::kRtl)) {
-      check_hardware(work, architecture, outcome.hits, run_name);
+      check_hardware(work, outcome.hits, run_name);
     }
-    if (!work.search) check_same_hits(outcome.hits, architecture, work.schedule.stop_level, run_name);
+    if (!work.search) check_same_hits(work, outcome.hits, run_name);
   }
   entry.measurements = std::move(outcome.measurements);
   entry.hits_digest = std::move(outcome.hits_digest);

@@ -11,6 +11,7 @@
 
 #include "models/work/hit_judge.h"
 #include "reports/result.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/machine.h"
 #include "sim/session/job.h"
 
@@ -59,13 +60,12 @@ class Measurer {
  private:
   /// Quantised once for each number format.
   const std::vector<MachineRay>& rays_for(const NumberFormat& format);
-  void check_same_hits(const std::vector<HitRecord>& hits, const Architecture& architecture, int stop_level,
-                       const std::string& run_name);
+  void check_same_hits(const Workload& work, const std::vector<HitRecord>& hits, const std::string& run_name);
 
   const Pyramid& pyramid_for(const Algorithm& algorithm);
   const SearchMap& search_map_for(const Search& search);
   /// How right a search's hits are: counters error.*, histograms and a plane.
-  void judge(const Workload& work, const NumberFormat& format, Arithmetic arithmetic, Outcome& outcome);
+  void judge(const Workload& work, Outcome& outcome);
 
   const Job& job_;
   std::map<SearchKind, SearchMap> search_maps_;

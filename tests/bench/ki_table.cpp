@@ -8,6 +8,7 @@
 #include "models/heightmap/generator.h"
 #include "models/rays/map_shape.h"
 #include "sim/config/architecture_file.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/machine.h"
 #include "traces/heightmaps/height_source_text.h"
 #include "traces/parallel_view.h"
@@ -52,6 +53,7 @@ class View {
     Workload work;
     work.pyramid = stop > 0 ? &stopped : &pyramid_;
     work.map = map_;
+    set_numbers(work, architecture_);
     work.rays = rays_;
     work.pixel_of_ray = pixels_;
     work.width = work.height = 512;

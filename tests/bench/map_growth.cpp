@@ -12,6 +12,8 @@
 #include "models/heightmap/generator.h"
 #include "models/heightmap/pyramid.h"
 #include "models/rays/machine_ray.h"
+#include "models/work/functional_run.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/machine.h"
 
 // How steps, time and memory grow with the map: sides 256, 512 ... 16384 of one kind of map, 16 bits, 256 x 256
@@ -57,17 +59,24 @@ void print_row(const std::string& kind, int side) {
   const Pyramid pyramid = build_max_pyramid(std::move(grid));
   const double build = seconds_since(start);
 
-  const Architecture architecture;
   const MapShape map{side, side, pyramid.root_level(), 16, AddressMode::kWrap};
-  const std::vector<MachineRay> rays = parallel_rays(map, number_format(architecture.traverse, map));
+  const NumberFormat format = number_format({}, map);
+  const std::vector<MachineRay> rays = parallel_rays(map, format);
   std::vector<uint32_t> pixels;
   for (uint32_t k = 0; k < rays.size(); ++k) pixels.push_back(k);
   std::string steps_text;
   start = std::chrono::steady_clock::now();
   for (const Algorithm& algorithm : algorithms()) {
-    const Workload work{&pyramid, map, rays, pixels, kRaysAcross, kRaysAcross, algorithm.schedule};
+    const Workload work{.pyramid = &pyramid,
+                        .map = map,
+                        .format = format,
+                        .rays = rays,
+                        .pixel_of_ray = pixels,
+                        .width = kRaysAcross,
+                        .height = kRaysAcross,
+                        .schedule = algorithm.schedule};
     uint64_t steps = 0;
-    for (const HitRecord& hit : run_functional(work, architecture).hits) steps += hit.steps;
+    for (const HitRecord& hit : run_functional(work).hits) steps += hit.steps;
     char text[32];
     std::snprintf(text, sizeof text, "%11.1f", static_cast<double>(steps) / static_cast<double>(rays.size()));
     steps_text += text;

@@ -12,6 +12,7 @@
 #include "models/common/elementary.h"
 #include "models/common/random.h"
 #include "models/heightmap/generator.h"
+#include "sim/config/on_architecture.h"
 #include "sim/hardware/verilated_hmt_top.h"
 #include "sim/machine/cycle_machine.h"
 
@@ -99,10 +100,18 @@ void run(benchmark::State& state, Case& c, bool rtl) {
     architecture.dram.bus_bytes = 4;
     architecture.dram.request_latency_cycles = architecture.dram.response_latency_cycles = 50;
   }
-  const std::vector<MachineRay> rays = rays_of(c, map, number_format(architecture.traverse, map));
+  const NumberFormat format = number_format(architecture.traverse, map);
+  const std::vector<MachineRay> rays = rays_of(c, map, format);
   std::vector<uint32_t> pixels(rays.size());
   for (uint32_t k = 0; k < pixels.size(); ++k) pixels[k] = k;
-  const Workload work{&pyramid, map, rays, pixels, kRaySide, kRaySide, find_algorithm("yun2013")->schedule};
+  const Workload work{.pyramid = &pyramid,
+                      .map = map,
+                      .format = format,
+                      .rays = rays,
+                      .pixel_of_ray = pixels,
+                      .width = kRaySide,
+                      .height = kRaySide,
+                      .schedule = find_algorithm("yun2013")->schedule};
   CycleHooks hooks;
   hooks.counters_only = true;
   for (auto _ : state) {

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "models/units/ray_dispatch/dispatch_order.h"
-#include "models/work/traversal_source.h"
+#include "models/work/step_source.h"
 #include "sim/config/architecture_file.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/cycle_machine.h"
 #include "sim/session/job.h"
 #include "traces/scene_library.h"
@@ -37,11 +38,11 @@ double source_seconds(const Workload& work, const Architecture& machine) {
   const std::vector<uint32_t> order = dispatch_order(
       work.pixel_of_ray, work.width, machine.ray_dispatch.order, machine.ray_dispatch.tile_size);
   const double start = cpu_seconds();
-  const auto source = make_traversal_source(work, machine, layout, order);
+  StepSource source(work, layout, machine.height_l1.line_bytes, order);
   HitRecord hit;
   for (uint32_t ray = 0; ray < order.size(); ++ray) {
-    source->steps(ray);
-    source->finish(ray, hit);
+    source.steps(ray);
+    source.finish(ray, hit);
   }
   return cpu_seconds() - start;
 }
@@ -93,8 +94,7 @@ int bench(const std::vector<std::string>& scenes, const std::vector<std::string>
       std::vector<MachineRay> rays;
       for (const TracedRay& ray : job.trace.rays) rays.push_back(quantise(ray, job.map, format));
       for (const Algorithm& algorithm : algorithms()) {
-        const Workload work{&job.pyramid,     job.map,           rays, job.pixel_of_ray, job.trace.width,
-                            job.trace.height, algorithm.schedule};
+        const Workload work = workload_of(job, machine, rays, algorithm);
         const Timed cycle = timed(work, machine, false), loose = timed(work, machine, true);
         const Counters& c = cycle.outcome.measurements.counters;
         const Counters& l = loose.outcome.measurements.counters;

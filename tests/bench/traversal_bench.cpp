@@ -7,6 +7,7 @@
 #include "models/heightmap/generator.h"
 #include "models/traversal/lanes.h"
 #include "models/traversal/traversal.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/cycle_machine.h"
 
 // Steps per second of one core, fixed point, on a fractal map of 1024 x 1024 texels and 8 bits: functional (value
@@ -51,7 +52,14 @@ struct Bench {
   }
 
   Workload work(const Algorithm& algorithm, bool coherent_rays) const {
-    return {&pyramid, map, coherent_rays ? coherent : random, pixels, kSide, kSide, algorithm.schedule};
+    return {.pyramid = &pyramid,
+            .map = map,
+            .format = number_format(architecture.traverse, map),
+            .rays = coherent_rays ? coherent : random,
+            .pixel_of_ray = pixels,
+            .width = kSide,
+            .height = kSide,
+            .schedule = algorithm.schedule};
   }
 };
 
@@ -63,8 +71,8 @@ const Bench& bench(int size) {
 void functional(benchmark::State& state, const Algorithm& algorithm, bool coherent_rays, bool lanes) {
   const Bench& b = bench(1024);
   const Workload work = b.work(algorithm, coherent_rays);
-  const Walk<FixedArithmetic, PlainAxis> walk(b.map, number_format(b.architecture.traverse, b.map),
-                                              work.schedule, b.pyramid.at(b.pyramid.root_level(), 0, 0));
+  const Walk<FixedArithmetic, PlainAxis> walk(b.map, work.format, work.schedule,
+                                              b.pyramid.at(b.pyramid.root_level(), 0, 0));
   if (lanes && !lanes_can(walk)) return state.SkipWithError("this processor has no AVX-512");
   std::vector<HitRecord> hits(work.rays.size());
   int64_t steps = 0;

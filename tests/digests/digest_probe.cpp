@@ -7,7 +7,9 @@
 #include "models/algorithms/schedule.h"
 #include "models/heightmap/generator.h"
 #include "models/heightmap/pyramid.h"
+#include "models/work/functional_run.h"
 #include "sim/config/architecture_file.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/machine.h"
 #include "traces/front_end.h"
 #include "traces/scene_library.h"
@@ -53,6 +55,7 @@ void print_digests() {
       Workload work;
       work.pyramid = &pyramid;
       work.map = map;
+      set_numbers(work, architecture);
       work.rays = rays;
       work.pixel_of_ray = pixels;
       work.width = trace.width;
@@ -64,8 +67,8 @@ void print_digests() {
         work.search_map = &search_map.emplace(*algorithm.search, pyramid, map.address_mode);
         work.depth = scene.depth;
       }
-      const Outcome outcome = wanted.fidelity == Fidelity::kCycle ? run_cycle(work, architecture)
-                                                                  : run_functional(work, architecture);
+      const Outcome outcome =
+          wanted.fidelity == Fidelity::kCycle ? run_cycle(work, architecture) : run_functional(work);
       std::cout << wanted.name << ' ' << algorithm.id << ' ' << outcome.hits_digest << ' ' << outcome.digest
                 << '\n';
     }

@@ -1,4 +1,5 @@
 #include "tests/twins/machine_difference.h"
+#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,4 +1,5 @@
 #include "tests/twins/random_machine.h"
+#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,7 @@ Workload RandomMachine::work() const {
   Workload work;
   work.pyramid = &pyramid;
   work.map = map;
+  set_numbers(work, architecture);
   work.rays = rays;
   work.pixel_of_ray = pixels;
   work.width = width;

@@ -37,9 +37,9 @@ class AccuracyBench : public ViewBench {
     }
     if (!work.search) check_same_hits(place, outcome.hits);
     HitJudge& judge = judge_of(place, work);
-    const Judgement found = judge.judge(outcome.hits, architecture_.traverse.arithmetic);
+    const Judgement found = judge.judge(outcome.hits, work.arithmetic);
     for (size_t k = 0; k < outcome.hits.size(); ++k) {
-      depths_[k] = judge.depth_of(k, outcome.hits[k], architecture_.traverse.arithmetic);
+      depths_[k] = judge.depth_of(k, outcome.hits[k], work.arithmetic);
     }
     const PictureError picture = picture_error(true_depths_, depths_, kPictureWidth);
     const Histogram heights = error_histogram("height_error", found.height_errors);
@@ -76,8 +76,7 @@ class AccuracyBench : public ViewBench {
   HitJudge& judge_of(const StudyPlace& place, const Workload& work) {
     const std::string view = value(place, "depth") + "/" + value(place, "angle");
     if (!judge_ || view != view_) {
-      const NumberFormat format = number_format(architecture_.traverse, map_);
-      judge_.emplace(work, format);
+      judge_.emplace(work);
       view_ = view;
       depths_.resize(work.rays.size());
       true_depths_.clear();

@@ -1,4 +1,6 @@
 #include "sim/explore/accuracy/accuracy_pictures.h"
+#include "models/work/functional_run.h"
+#include "sim/config/on_architecture.h"
 
 #include <fmt/format.h>
 
@@ -68,7 +70,7 @@ class Painter {
     rays_ = machine_rays(job_, format);
     grid_.width = job_.trace.width;
     grid_.height = job_.trace.height;
-    judge_.emplace(workload_of(job_, rays_, *find_algorithm("yun2013")), format);
+    judge_.emplace(workload_of(job_, architecture_, rays_, *find_algorithm("yun2013")));
   }
 
   Picture paint(const std::vector<std::string>& names) {
@@ -80,7 +82,7 @@ class Painter {
       if (algorithm.search) map.emplace(*algorithm.search, job_.pyramid, job_.map.address_mode);
       Traced one;
       one.hits =
-          run_functional(workload_of(job_, rays_, algorithm, map ? &*map : nullptr), architecture_).hits;
+          run_functional(workload_of(job_, architecture_, rays_, algorithm, map ? &*map : nullptr)).hits;
       one.judgement = judge_->judge(one.hits, architecture_.traverse.arithmetic);
       for (const HitRecord& hit : one.hits) most_steps = std::max(most_steps, hit.steps);
       traced.push_back(std::move(one));

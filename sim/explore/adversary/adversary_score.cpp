@@ -1,4 +1,6 @@
 #include "sim/explore/adversary/adversary_score.h"
+#include "models/work/functional_run.h"
+#include "sim/config/on_architecture.h"
 
 #include <array>
 #include <cmath>
@@ -105,6 +107,8 @@ double AdversaryScorer::score_of(const Algorithm& algorithm, const Prepared& pre
   const Pyramid stopped = stop > 0 ? build_stopped_pyramid(prepared.pyramid, stop) : Pyramid();
   work.pyramid = stop > 0 ? &stopped : &prepared.pyramid;
   work.map = prepared.shape;
+  work.arithmetic = architecture_.traverse.arithmetic;
+  work.format = prepared.format;
   work.rays = prepared.rays;
   work.pixel_of_ray = prepared.pixels;
   work.width = static_cast<int>(prepared.rays.size());
@@ -121,12 +125,12 @@ double AdversaryScorer::score_of(const Algorithm& algorithm, const Prepared& pre
     const Outcome outcome = run_cycle(work, architecture_);
     return static_cast<double>(outcome.measurements.counters.get("machine.cycles")) / rays;
   }
-  const Outcome outcome = run_functional(work, architecture_);
+  const Outcome outcome = run_functional(work);
   if (maximise_ == Maximise::kSteps) {
     return static_cast<double>(outcome.measurements.counters.get("machine.steps")) / rays;
   }
   const OracleMap map = oracle_map(prepared.grid, prepared.shape);
-  const Arithmetic arithmetic = architecture_.traverse.arithmetic;
+  const Arithmetic arithmetic = work.arithmetic;
   const double unit = DoubleArithmetic::format(prepared.shape, prepared.format).unit_of_time;
   double errors = 0;
   for (size_t k = 0; k < prepared.rays.size(); ++k) {

@@ -4,7 +4,9 @@
 #include <functional>
 
 #include "models/common/error.h"
+#include "models/work/functional_run.h"
 #include "sim/config/architecture_file.h"
+#include "sim/config/on_architecture.h"
 #include "sim/explore/fidelity/fidelity.h"
 #include "sim/explore/study/wall_times.h"
 #include "sim/hosts/systemc/systemc_host.h"
@@ -54,7 +56,7 @@ StudyTimes fidelity_times(bool quick, const StudyProgress& progress) {
     Architecture hardware = machine;
     hardware.units.hmt_top = Implementation::kRtl;
     const std::vector<MachineRay> rays = machine_rays(job, number_format(machine.traverse, job.map));
-    const Workload work = workload_of(job, rays, *find_algorithm(kAlgorithm));
+    const Workload work = workload_of(job, machine, rays, *find_algorithm(kAlgorithm));
     std::string hits;
     const auto add = [&](const char* level, const std::function<Outcome()>& run) {
       if (progress && !progress(times.runs.size(), 6 * machines.size()))
@@ -65,7 +67,7 @@ StudyTimes fidelity_times(bool quick, const StudyProgress& progress) {
         if (error.code() != ExitCode::kUsage) throw;  // this build has no such hardware
       }
     };
-    add("functional", [&] { return run_functional(work, machine); });
+    add("functional", [&] { return run_functional(work); });
     add("transaction", [&] { return run_transaction(work, machine); });
     add("cycle", [&] { return run_cycle(work, machine); });
     add("cycle in SystemC", [&] { return systemc.run(work, job.trace.rays, machine, {}); });

@@ -1,9 +1,9 @@
 #include "sim/explore/iterations/iterations.h"
+#include "models/work/step_source.h"
 
 #include <numeric>
 
 #include "models/common/statistics.h"
-#include "models/work/traversal_source.h"
 #include "sim/explore/study/view_bench.h"
 
 namespace cuesta {
@@ -35,12 +35,10 @@ class IterationsBench : public ViewBench {
   }
 
   std::vector<int64_t> run(const StudyPlace& place) override {
-    Architecture architecture;
+    const Workload work = work_at(place, {});
+    const TexelLayout layout(TexelLayoutKind::kRowMajor, pyramid_);
     // The source's lines are texels here: their numbers give lines of any size.
-    architecture.height_l1.line_bytes = pyramid_.texel_bytes();
-    const Workload work = work_at(place, architecture);
-    const TexelLayout layout(architecture.texels.layout, pyramid_);
-    const auto source = make_traversal_source(work, architecture, layout, order_);
+    StepSource source(work, layout, pyramid_.texel_bytes(), order_);
     const uint64_t texels = layout.size_bytes() / static_cast<uint64_t>(pyramid_.texel_bytes());
     Seen texel_seen(texels), line_seen(layout.size_bytes() / kLineBytes);
     const auto texels_a_line = static_cast<uint32_t>(kLineBytes / pyramid_.texel_bytes());
@@ -48,14 +46,14 @@ class IterationsBench : public ViewBench {
     std::vector<int64_t> per_ray;
     records_.clear();
     for (uint32_t k = 0; k < order_.size(); ++k) {
-      const RaySteps read = source->steps(k);
+      const RaySteps read = source.steps(k);
       fetches += read.end - read.next;
       for (const uint32_t* texel = read.next; texel != read.end; ++texel) {
         if (!texel_seen.first_time(*texel)) continue;
         ++unique_texels;
         unique_lines += line_seen.first_time(*texel / texels_a_line);
       }
-      source->finish(k, records_.emplace_back());
+      source.finish(k, records_.emplace_back());
       steps += records_.back().steps;
       per_ray.push_back(records_.back().steps);
     }

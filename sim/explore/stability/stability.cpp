@@ -1,4 +1,5 @@
 #include "sim/explore/stability/stability.h"
+#include "models/work/functional_run.h"
 
 #include <algorithm>
 #include <optional>
@@ -20,14 +21,14 @@ class StabilityBench : public ViewBench {
 
   std::vector<int64_t> run(const StudyPlace& place) override {
     const Workload work = work_at(place, architecture_);
-    const Outcome outcome = run_functional(work, architecture_);
+    const Outcome outcome = run_functional(work);
     if (!work.search) check_same_hits(place, outcome.hits);
     const std::string view = value(place, "depth") + "/" + value(place, "angle") + "/" + value(place, "turn");
     if (!judge_ || view != view_) {
-      judge_.emplace(work, number_format(architecture_.traverse, map_));
+      judge_.emplace(work);
       view_ = view;
     }
-    const Judgement found = judge_->judge(outcome.hits, architecture_.traverse.arithmetic);
+    const Judgement found = judge_->judge(outcome.hits, work.arithmetic);
     const auto count = [&](Verdict verdict) { return found.counts.count(verdict); };
     int64_t steps = 0, longest = 0;
     for (const HitRecord& hit : outcome.hits) {

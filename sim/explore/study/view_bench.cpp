@@ -1,4 +1,5 @@
 #include "sim/explore/study/view_bench.h"
+#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <charconv>
@@ -146,7 +147,8 @@ Workload ViewBench::work_at(const StudyPlace& place, const Architecture& archite
   Workload work;
   work.pyramid = &pyramid_;
   work.map = map_;
-  work.rays = rays_at(place, number_format(architecture.traverse, map_));
+  set_numbers(work, architecture);
+  work.rays = rays_at(place, work.format);
   work.pixel_of_ray = pixels_;
   work.width = kWidth;
   work.height = kHeight;

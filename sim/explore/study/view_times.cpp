@@ -1,4 +1,5 @@
 #include "sim/explore/study/view_times.h"
+#include "models/work/functional_run.h"
 
 #include <algorithm>
 
@@ -39,8 +40,7 @@ class Timer : public ViewBench {
       grid.texels.assign(pyramid_.level(0), pyramid_.level(0) + map_.width * map_.height);
       runs.push_back({"", algorithm, "map", median_seconds([&] { build_max_pyramid(grid); }), 0, 0});
     }
-    runs.push_back(
-        {"", algorithm, "functional", median_seconds([&] { run_functional(work, architecture_); }), rays, 0});
+    runs.push_back({"", algorithm, "functional", median_seconds([&] { run_functional(work); }), rays, 0});
     TimedRun cycle{"mobile", algorithm, "cycle", 0, rays, 0};
     cycle.seconds = median_seconds(
         [&] { cycle.cycles = run_cycle(work, architecture_).measurements.counters.get("machine.cycles"); });

@@ -1,4 +1,5 @@
 #include "sim/hosts/systemc/machine_shell.h"
+#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <string>
@@ -25,6 +26,7 @@ Workload work_of(const MachineSetup& setup) {
   Workload work;
   work.pyramid = setup.pyramid;
   work.map = setup.map;
+  set_numbers(work, *setup.architecture);
   work.width = setup.width;
   work.height = setup.height;
   work.schedule = setup.schedule;

@@ -1,4 +1,5 @@
 #include "sim/verify/lockstep/random_rtl_case.h"
+#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 

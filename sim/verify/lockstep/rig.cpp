@@ -1,4 +1,5 @@
 #include "sim/verify/lockstep/rig.h"
+#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,18 +12,6 @@ namespace {
 
 bool any(const PortStalls& stalls) {
   return std::ranges::any_of(stalls.per_mille, [](uint16_t chance) { return chance > 0; });
-}
-
-Workload workload(const LockstepCase& one, const Schedule& schedule, const LockstepWork& work) {
-  Workload load;
-  load.pyramid = work.pyramid.get();
-  load.map = one.map();
-  load.rays = work.rays;
-  load.pixel_of_ray = work.pixels;
-  load.width = one.width;
-  load.height = one.height;
-  load.schedule = schedule;
-  return load;
 }
 
 }  // namespace
@@ -40,6 +29,20 @@ LockstepWork::LockstepWork(const LockstepCase& one, const LockstepMachine& machi
   }
 }
 
+Workload LockstepWork::workload(const LockstepCase& one, const LockstepMachine& machine) const {
+  Workload load;
+  load.pyramid = pyramid.get();
+  load.map = one.map();
+  load.arithmetic = machine.architecture.traverse.arithmetic;
+  load.format = format;
+  load.rays = rays;
+  load.pixel_of_ray = pixels;
+  load.width = one.width;
+  load.height = one.height;
+  load.schedule = machine.schedule;
+  return load;
+}
+
 bool LockstepWork::serves(const LockstepCase& one, const LockstepMachine& machine) const {
   return format == number_format(machine.architecture.traverse, one.map()) &&
          pyramid->lowest_level() == machine.schedule.stop_level;
@@ -55,7 +58,7 @@ LockstepRig::LockstepRig(const LockstepCase& one, const LockstepMachine& machine
   hooks.port_logs = &logs_;
   hooks.waves = waves;
   hooks.register_seed = machine.register_seed;
-  const Workload load = workload(one, settings_.schedule, *work_);
+  const Workload load = work_->workload(one, machine);
   const DramParameters& dram = settings_.architecture.dram;
   if (settings_.memory) {
     memory_.emplace(*settings_.memory, dram.request_latency_cycles + dram.response_latency_cycles);

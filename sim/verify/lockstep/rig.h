@@ -17,8 +17,10 @@ namespace cuesta {
 struct LockstepWork {
   /// Throws input_error for a ray that does not fit the machine's numbers.
   LockstepWork(const LockstepCase& one, const LockstepMachine& machine);
-  /// Of the same numbers and leaves.
+  /// Says whether it has the numbers and leaves of this machine, too.
   bool serves(const LockstepCase& one, const LockstepMachine& machine) const;
+  /// Makes the work of all its rays on the machine; it must outlive the workload.
+  Workload workload(const LockstepCase& one, const LockstepMachine& machine) const;
 
   std::shared_ptr<const Pyramid> pyramid;  ///< stopped where the schedule stops
   NumberFormat format;

@@ -7,6 +7,7 @@
 #include "models/common/error.h"
 #include "models/heightmap/generator.h"
 #include "models/traversal/traversal.h"
+#include "sim/config/on_architecture.h"
 #include "sim/explore/study/study_runner.h"
 #include "sim/explore/study/view_bench.h"
 #include "sim/machine/machine.h"

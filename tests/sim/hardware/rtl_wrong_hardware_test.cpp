@@ -4,6 +4,7 @@
 
 #include "models/common/error.h"
 #include "models/heightmap/generator.h"
+#include "sim/config/on_architecture.h"
 #include "sim/hardware/hmt_top_port.h"
 #include "sim/hardware/traverse_port.h"
 #include "sim/machine/cycle_machine.h"
@@ -73,8 +74,9 @@ std::string sentence(Implementation UnitParameters::*unit) {
   Workload work;
   work.pyramid = &pyramid;
   work.map = {16, 16, 4, 8, AddressMode::kWrap};
-  const MachineRay ray = quantise({.origin = {0.5, 0.5, 1}, .direction = {0.1, 0.2, -1}}, work.map,
-                                  number_format(architecture.traverse, work.map));
+  set_numbers(work, architecture);
+  const MachineRay ray =
+      quantise({.origin = {0.5, 0.5, 1}, .direction = {0.1, 0.2, -1}}, work.map, work.format);
   const uint32_t pixel = 0;
   work.rays = {&ray, 1};
   work.pixel_of_ray = {&pixel, 1};

@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "models/work/functional_run.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/machine.h"
 #include "tests/traces/support.h"
 #include "traces/front_end.h"
@@ -26,9 +28,9 @@ Outcome trace(const Scene& scene, const HeightGrid& grid, RayTrace& rays) {
   rays = make_rays(scene, grid.width, grid.height);
   std::vector<MachineRay> machine_rays;
   std::vector<uint32_t> pixels;
-  const NumberFormat format = number_format(TraverseParameters{}, work.map);
+  set_numbers(work, Architecture{});
   for (const TracedRay& ray : rays.rays) {
-    machine_rays.push_back(quantise(ray, work.map, format));
+    machine_rays.push_back(quantise(ray, work.map, work.format));
     pixels.push_back(ray.pixel_y * static_cast<uint32_t>(rays.width) + ray.pixel_x);
   }
   work.rays = machine_rays;
@@ -36,7 +38,7 @@ Outcome trace(const Scene& scene, const HeightGrid& grid, RayTrace& rays) {
   work.width = rays.width;
   work.height = rays.height;
   work.schedule = find_algorithm("dda")->schedule;
-  return run_functional(work, Architecture{});
+  return run_functional(work);
 }
 
 TEST(CameraToMachine, NoHitLiesBeyondThePlane) {

@@ -1,4 +1,6 @@
 #include "sim/session/measure.h"
+#include "models/work/functional_run.h"
+#include "sim/config/on_architecture.h"
 
 #include <gtest/gtest.h>
 
@@ -183,7 +185,7 @@ TEST(Measurer, CostsOfPixelsAddUpInARunThatIsStoppedToo) {
   const Job job = job_on(256, 256, AddressMode::kWrap, 60'000);
   const Architecture machine;
   const std::vector<MachineRay> rays = machine_rays(job, number_format(machine.traverse, job.map));
-  const Workload work = workload_of(job, rays, *find_algorithm("dda"));
+  const Workload work = workload_of(job, machine, rays, *find_algorithm("dda"));
   const auto stop = [](uint64_t finished, uint64_t) { return finished == 0; };
   for (const Outcome& outcome : {run_cycle(work, machine, stop), run_transaction(work, machine, stop)}) {
     ASSERT_GT(outcome.finished_rays, 0u);
@@ -217,9 +219,9 @@ TEST(HitJudge, KnowsTheTruthAndWhatLiesBeforeBehindAndBeside) {
   const Architecture machine;
   const NumberFormat format = number_format(machine.traverse, job.map);
   const std::vector<MachineRay> rays = machine_rays(job, format);
-  const Workload work = workload_of(job, rays, *find_algorithm("dda"));
-  const std::vector<HitRecord> truth = run_functional(work, machine).hits;
-  HitJudge judge(work, format);
+  const Workload work = workload_of(job, machine, rays, *find_algorithm("dda"));
+  const std::vector<HitRecord> truth = run_functional(work).hits;
+  HitJudge judge(work);
   const Judgement right = judge.judge(truth, Arithmetic::kFixed);
   EXPECT_EQ(right.counts.count(Verdict::kExact) + right.counts.count(Verdict::kTie), 300);
   for (const double error : right.height_errors) EXPECT_LT(error, 0.1);

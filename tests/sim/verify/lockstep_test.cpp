@@ -57,8 +57,7 @@ TEST(Lockstep, EqualMachinesDifferNowhereAndTakeTheCyclesOfTheMachineAlone) {
     stalled += text_of(one.machine.stalls) != text_of(PortStalls{one.machine.stalls.seed, {}});
     if (one.machine.memory) continue;
     const LockstepWork work(one, one.machine);
-    Workload load{work.pyramid.get(), one.map(),  work.rays,           work.pixels,
-                  one.width,          one.height, one.machine.schedule};
+    const Workload load = work.workload(one, one.machine);
     CycleHooks hooks;
     hooks.stalls = &one.machine.stalls;
     const Outcome alone = run_cycle_detailed(load, one.machine.architecture, {}, hooks, nullptr);

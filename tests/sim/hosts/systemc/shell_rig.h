@@ -7,6 +7,7 @@
 #include "models/rays/hit_bytes.h"
 #include "models/work/outcome.h"
 #include "sim/config/architecture_file.h"
+#include "sim/config/on_architecture.h"
 #include "sim/hosts/systemc/dram_target.h"
 #include "sim/hosts/systemc/machine_shell.h"
 #include "sim/hosts/systemc/ray_feeder.h"
@@ -37,15 +38,7 @@ struct ShellRig {
     return {&job.pyramid,    job.map,          find_algorithm("yun2013")->schedule,
             job.trace.width, job.trace.height, &architecture()};
   }
-  Workload work() const {
-    return {&job.pyramid,
-            job.map,
-            rays,
-            job.pixel_of_ray,
-            job.trace.width,
-            job.trace.height,
-            find_algorithm("yun2013")->schedule};
-  }
+  Workload work() const { return workload_of(job, architecture(), rays, *find_algorithm("yun2013")); }
   Outcome direct() const { return run_cycle(work(), architecture()); }
   std::vector<std::string> laws_broken_by(const Outcome& outcome) const {
     return broken_laws(work(), architecture(), Fidelity::kCycle, outcome);
