@@ -33,6 +33,7 @@ if(NOT TARGET verilator_runtime)
     target_sources(verilator_runtime PRIVATE "${verilator_include}/verilated_cov.cpp")
   endif()
   target_compile_options(verilator_runtime PRIVATE -O3 -w)
+  set_target_properties(verilator_runtime PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
   target_link_libraries(verilator_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 endif()
 
@@ -86,6 +87,8 @@ function(cuesta_verilated name)
   list(FILTER with_runtime EXCLUDE REGEX "^/usr/share/verilator/include/")
   set_target_properties(${name} PROPERTIES SOURCES "${with_runtime}")
   target_link_libraries(${name} PUBLIC verilator_runtime)
+  # For the module of the hardware's sets.
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
   # Generated code is not held to the project's warnings.
   target_compile_options(${name} PRIVATE -w)
 endfunction()

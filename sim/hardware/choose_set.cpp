@@ -71,12 +71,21 @@ std::vector<std::string> differences(const RtlSet& set, const Architecture& a, c
   return found;
 }
 
+std::string why_there_is_no_set() {
+#ifdef CUESTA_HARDWARE_MODULE
+  return "the Verilated hardware, " CUESTA_HARDWARE_MODULE
+         ".so, is not beside this program; `cmake --build --preset release --target " CUESTA_HARDWARE_MODULE
+         "` builds it";
+#else
+  return "this program is built without RTL (CMake option CUESTA_RTL)";
+#endif
+}
+
 const RtlSet& choose_set(const Architecture& architecture, const Workload& work) {
   const std::string choice = choice_text(architecture);
   if (rtl_sets().empty()) {
-    throw usage_error(choice +
-                      ": this program is built without RTL (CMake option CUESTA_RTL); accepted is "
-                      "\"model\", which is equal to it cycle by cycle.");
+    throw usage_error(choice + ": " + why_there_is_no_set() +
+                      "; accepted without is \"model\", which is equal to it cycle by cycle.");
   }
   const std::string beyond = beyond_rtl(architecture, work);
   if (!beyond.empty()) throw usage_error(choice + ": " + beyond);

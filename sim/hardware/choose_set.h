@@ -19,6 +19,9 @@ inline bool has_rtl(const Architecture& architecture) {
 std::vector<std::string> differences(const RtlSet& set, const Architecture& architecture,
                                      const MapShape& map);
 
+/// Says why rtl_sets() is empty and what would mend that, as a part of a sentence.
+std::string why_there_is_no_set();
+
 /// The compiled set that the machine is, on this work. Throws usage_error: for what no RTL can do, the key; for sizes
 /// outside every set, the key, the nearest set and the option that compiles others.
 const RtlSet& choose_set(const Architecture& architecture, const Workload& work);

@@ -17,7 +17,7 @@ struct RtlParameters {
   int size_bytes, line_bytes, ways, mshrs;
 };
 
-/// One set of parameters for which this program holds Verilated hardware. `seed`: of the values that registers without
+/// One set of parameters for which there is Verilated hardware. `seed`: of the values that registers without
 /// a reset begin with; 0: zeros.
 struct RtlSet {
   std::string_view name;
@@ -26,7 +26,9 @@ struct RtlSet {
   std::unique_ptr<TraversePort> (*make_traverse)(int seed);
 };
 
-/// In the order of rtl/sets.csv; empty in a program built with CUESTA_RTL=OFF.
+/// The sets of the module cuesta_hardware_sets.so, which the first call loads, in the order of rtl/sets.csv. They are
+/// empty where the module is not there, or the program is built with CUESTA_RTL=OFF. Throws Error(kResource) for a module
+/// that cannot be loaded or is built from other sources than the program.
 std::span<const RtlSet> rtl_sets();
 
 }  // namespace cuesta::rtl

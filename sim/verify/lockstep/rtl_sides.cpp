@@ -64,9 +64,7 @@ RtlStructure structure_of(const rtl::RtlParameters& p, HardwareUnit unit) {
 std::vector<rtl::RtlSet> compiled_sets(const std::vector<std::string>& names) {
   const auto all = rtl::rtl_sets();
   if (all.empty()) {
-    throw usage_error(
-        "This program is built without RTL (CMake option CUESTA_RTL), and there is nothing to hold the model "
-        "against; accepted is a program built with it.");
+    throw usage_error("There is nothing to hold the model against: " + rtl::why_there_is_no_set() + ".");
   }
   if (names.empty()) return {all.begin(), all.end()};
   std::vector<rtl::RtlSet> found;
