@@ -6,10 +6,10 @@
 
 #include "models/common/words.h"
 #include "reports/result_folder.h"
-#include "sim/cli/heightmap_command.h"
+#include "sim/cli/map_size.h"
+#include "sim/cli/names.h"
 #include "sim/cli/options.h"
 #include "sim/cli/progress.h"
-#include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
 #include "sim/config/on_architecture.h"
 #include "sim/explore/adversary/adversary.h"
@@ -76,7 +76,7 @@ class AdversaryCommand : public Command {
       throw usage_error("`cuesta adversary` takes one algorithm and one architecture.");
     }
     const Architecture& architecture = machines[0].architecture;
-    check_searches(algorithms, machines, Host::kDirect);
+    check_searches(algorithms, machines);
     const Algorithm algorithm = algorithm_on(algorithms[0], architecture.traverse);
     const AddressMode mode = address_mode();
     AdversaryBounds& bounds = options_.bounds;

@@ -51,6 +51,22 @@ std::function<bool(uint64_t)> watched(const Session& session, const std::string&
   return [bar](uint64_t finished) { return bar->update(finished); };
 }
 
+void TerminalObserver::on_begin(const std::string& label, const std::string& unit, uint64_t all) {
+  bar_.emplace(session_, label, unit, all);
+}
+
+void TerminalObserver::on_progress(uint64_t finished) {
+  if (bar_) bar_->update(finished);
+}
+
+void TerminalObserver::on_end() { bar_.reset(); }
+
+void TerminalObserver::on_remark(const std::string& sentence) {
+  if (!session_.quiet) std::fprintf(stderr, "%s\n", sentence.c_str());
+}
+
+bool TerminalObserver::wants_stop() { return stop_requested(); }
+
 bool stop_requested() { return g_stop != 0; }
 
 void install_stop_handler() {

@@ -3,9 +3,11 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sim/cli/command.h"
+#include "sim/session/progress.h"
 
 namespace cuesta {
 
@@ -40,6 +42,23 @@ class ProgressBar {
 /// A bar over rays as the functions of traces/ ask for it; it goes with the function's last copy.
 std::function<bool(uint64_t finished)> watched(const Session& session, const std::string& label,
                                                uint64_t all);
+
+/// Shows the stages of work as bars and its remarks as lines, all on stderr; nothing when quiet. Ctrl-C ends the work.
+class TerminalObserver : public Observer {
+ public:
+  /// `session` must outlive it.
+  explicit TerminalObserver(const Session& session) : session_(session) {}
+
+  void on_begin(const std::string& label, const std::string& unit, uint64_t all) override;
+  void on_progress(uint64_t finished) override;
+  void on_end() override;
+  void on_remark(const std::string& sentence) override;
+  bool wants_stop() override;
+
+ private:
+  const Session& session_;
+  std::optional<ProgressBar> bar_;
+};
 
 /// True once SIGINT, SIGTERM or SIGHUP has come; main() installs the handler, but leaves a signal alone that the
 /// parent asked to ignore (nohup). A second signal ends the program at once.

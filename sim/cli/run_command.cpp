@@ -1,14 +1,16 @@
 #include <algorithm>
-#include <cstdio>
+#include <chrono>
 
-#include "models/files/image_codec.h"
-#include "sim/cli/cycle_host.h"
+#include "sim/cli/names.h"
 #include "sim/cli/options.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/result_output.h"
 #include "sim/cli/run_options.h"
 #include "sim/cli/verbs.h"
-#include "sim/session/measure.h"
+#include "sim/cli/wave_options.h"
+#include "sim/session/hosts.h"
+#include "sim/session/manifest.h"
+#include "sim/session/measurement.h"
 
 namespace cuesta {
 namespace {
@@ -37,42 +39,41 @@ class RunCommand : public Command {
 
   ExitCode run(const Session& session) override {
     const auto start = std::chrono::steady_clock::now();
-    const Fidelity fidelity = parse_fidelity(options_.fidelity);
-    waves_.check();
-    const Host host = parse_host(options_.host, fidelity);
-    if (waves_.wanted() && (fidelity == Fidelity::kFunctional || fidelity == Fidelity::kTransaction)) {
+    Measurement wanted;
+    wanted.fidelity = parse_fidelity(options_.fidelity);
+    HostRequest request;
+    request.waves = waves_.request();
+    const Host& host = find_host(options_.host);
+    host.check_fidelity(wanted.fidelity);
+    if (request.waves.wanted() && !runs_every_cycle(wanted.fidelity)) {
       throw usage_error("--waves shows the hardware cycle by cycle, and --fidelity " + options_.fidelity +
                         " has none; accepted with it are --fidelity cycle, rtl.");
     }
-    const auto algorithms = parse_algorithms({algorithm_});
-    const auto machines = parse_architectures({architecture_}, options_.settings, fidelity);
-    if (algorithms.size() != 1 || machines.size() != 1) {
+    wanted.algorithms = parse_algorithms({algorithm_});
+    wanted.machines = parse_architectures({architecture_}, options_.settings, wanted.fidelity);
+    if (wanted.algorithms.size() != 1 || wanted.machines.size() != 1) {
       throw usage_error(
           "`cuesta run` takes one algorithm and one architecture; `cuesta compare` takes several.");
     }
-    check_searches(algorithms, machines, host);
-    const CycleRunner cycle_runner = make_cycle_runner(session, host, vcd_, waves_, machines);
-    const std::string scene = scene_or_default(scene_, options_);
-    const SceneChanges changes = scene_changes(options_);
-    check_surface(changed_scene(scene, changes), algorithms[0], machines[0].architecture);
-    Result result = begin_result("run", session);
-    result.manifest.environment.emplace_back("simulation_host", options_.host);
-    image_codec();  // for the planes: what cannot be loaded is found before the work
-    ResultFolder folder = open_result_folder(
-        options_, changed_scene(scene, changes).name + "-" + folder_name(algorithms[0].id));
-    const Job job = prepare_job(scene, changes, watched(session, "making rays", 0));
-    add_inputs(job, result);
-    add_inputs(machines, result);
-    remark_inputs(session, job, machines);
+    for (const Algorithm& algorithm : wanted.algorithms) host.check_algorithm(algorithm);
+    check_searches(wanted.algorithms, wanted.machines);
+    request.vcd = vcd_;
+    request.pipelines = most_pipelines(wanted.machines);
+    request.warnings = !session.quiet;
+    TerminalObserver observer(session);
+    const CycleRunner cycle_runner = host.make(request, observer);
+    wanted.scenes = {scene_or_default(scene_, options_)};
+    wanted.changes = scene_changes(options_);
+    check_surfaces(wanted);
 
-    Measurer measurer(job, cycle_runner);
-    {
-      ProgressBar bar(session, algorithms[0].id, "rays", job.trace.rays.size());
-      result.runs.push_back(measurer.run(algorithms[0], machines[0].architecture, fidelity,
-                                         [&](uint64_t finished, uint64_t) { return bar.update(finished); }));
-    }
-    add_preprocessing(session, measurer, result);
-    return finish_result(result, 1, machines, fidelity, folder, options_, start);
+    Result result = begin_result("run", session.command_line);
+    result.manifest.environment.emplace_back("simulation_host", options_.host);
+    ResultFolder folder =
+        open_folder(options_, scene_names(wanted)[0] + "-" + folder_name(wanted.algorithms[0].id));
+    measure_scenes(wanted, cycle_runner, observer, result);
+    add_inputs(wanted.machines, result);
+    const Completion done = finish_result(wanted, start, result, folder);
+    return print_result(result, done, folder, options_.json);
   }
 
  private:

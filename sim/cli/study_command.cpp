@@ -5,14 +5,15 @@
 #include <iterator>
 
 #include "models/common/words.h"
+#include "reports/result_folder.h"
 #include "reports/result_json.h"
 #include "reports/study/study_readme.h"
 #include "sim/cli/options.h"
 #include "sim/cli/progress.h"
-#include "sim/cli/result_output.h"
 #include "sim/cli/standard_output.h"
 #include "sim/cli/verbs.h"
 #include "sim/explore/study/study_runner.h"
+#include "sim/session/manifest.h"
 
 namespace cuesta {
 namespace {
@@ -43,7 +44,7 @@ class StudyCommand : public Command {
       throw usage_error("Study " + name_ + " measures no wall times; --times is accepted with " +
                         names_of_studies([](const Study& one) { return one.times != nullptr; }) + ".");
     }
-    Result manifest = begin_result("study", session);
+    Result manifest = begin_result("study", session.command_line);
     manifest.manifest.seeds.emplace_back("maps", "1");
     ResultFolder folder = ResultFolder::create(folder_, force_);
     StudyData data = measured(study, session);

@@ -3,9 +3,9 @@
 
 #include "models/rays/map_shape.h"
 #include "sim/cli/options.h"
-#include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/verbs.h"
+#include "sim/session/output_file.h"
 #include "traces/front_end.h"
 #include "traces/ray_files.h"
 #include "traces/scene_heights.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "sim/cli/options.h"
-#include "sim/session/measure.h"
+#include "sim/session/waves.h"
 
 namespace cuesta {
 
@@ -19,11 +19,8 @@ struct WaveOptions {
   bool wanted() const { return !file.empty(); }
   /// Throws usage_error for options that do not go together or cannot be read, and for a file that is there.
   void check() const;
+  /// Gives what was asked for. Throws as `check`.
+  WaveRequest request() const;
 };
-
-/// Runs the machine with waves of the wanted cycles: those given, or the ones from dispatch to completion of the rays
-/// of a pixel, or the first thousand. A pixel's cycles are found by a run of the model before. Throws usage_error for
-/// a pixel without rays.
-CycleRunner wave_runner(const WaveOptions& options, bool quiet);
 
 }  // namespace cuesta

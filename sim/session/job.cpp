@@ -166,6 +166,11 @@ Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& chang
   return job;
 }
 
+Job watched_job(const std::string& scene_name_or_path, const SceneChanges& changes, Observer& observer) {
+  Stage stage(observer, "making rays", "rays", 0);
+  return prepare_job(scene_name_or_path, changes, [&](uint64_t finished) { return stage.update(finished); });
+}
+
 std::vector<MachineRay> machine_rays(const Job& job, const NumberFormat& format) {
   std::vector<MachineRay> rays;
   rays.reserve(job.trace.rays.size());

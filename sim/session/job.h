@@ -11,6 +11,8 @@
 #include "models/units/architecture.h"
 #include "models/work/workload.h"
 #include "reports/result.h"
+#include "sim/machine/machine.h"
+#include "sim/session/progress.h"
 #include "traces/front_end.h"
 #include "traces/ray_trace.h"
 #include "traces/scene.h"
@@ -48,6 +50,9 @@ Scene changed_scene(const std::string& scene_name_or_path, const SceneChanges& c
 /// Error(kIncomplete) when `watch` stops the making of rays.
 Job prepare_job(const std::string& scene_name_or_path, const SceneChanges& changes,
                 const RayWatch& watch = {});
+
+/// Prepares a job as above with `observer` hearing of the making of rays.
+Job watched_job(const std::string& scene_name_or_path, const SceneChanges& changes, Observer& observer);
 
 /// A job's rays as they enter a machine with numbers of that format.
 std::vector<MachineRay> machine_rays(const Job& job, const NumberFormat& format);

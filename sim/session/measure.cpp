@@ -41,11 +41,6 @@ void check_hardware(const Workload& work, const std::vector<HitRecord>& hits, co
 
 }  // namespace
 
-std::string_view name_of(Fidelity fidelity) {
-  constexpr std::string_view kNames[] = {"functional", "transaction", "cycle", "rtl"};
-  return kNames[static_cast<size_t>(fidelity)];
-}
-
 void check_surface(const Scene& scene, const Algorithm& named, const Architecture& architecture) {
   if (scene.surface == Surface::kTexel) return;
   const Algorithm algorithm = algorithm_on(named, architecture.traverse);

@@ -5,7 +5,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,11 +12,10 @@
 #include "reports/result.h"
 #include "sim/config/on_architecture.h"
 #include "sim/machine/machine.h"
+#include "sim/session/fidelity.h"
 #include "sim/session/job.h"
 
 namespace cuesta {
-
-std::string_view name_of(Fidelity fidelity);
 
 /// What runs a machine cycle by cycle: run_cycle, or a host around it. `rays`: as traced, in the order of
 /// `work.rays`.

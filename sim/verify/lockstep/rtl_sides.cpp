@@ -25,6 +25,8 @@ int pipeline_of(const std::string& unit) {
 
 }  // namespace
 
+std::string_view name_of(HardwareUnit unit) { return kUnitNames[static_cast<size_t>(unit)]; }
+
 HardwareUnit parse_hardware_unit(const std::string& name) {
   for (size_t k = 0; k < std::size(kUnitNames); ++k) {
     if (name == kUnitNames[k]) return static_cast<HardwareUnit>(k);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/hardware/rtl_set.h"
@@ -14,7 +15,9 @@ namespace cuesta {
 /// What is hardware on the second side.
 enum class HardwareUnit : uint8_t { kHmtTop, kTraverse };
 
-/// "hmt_top" or "traverse". Throws usage_error.
+/// Gives a unit's name: "hmt_top", "traverse".
+std::string_view name_of(HardwareUnit unit);
+/// Reads such a name. Throws usage_error for any other.
 HardwareUnit parse_hardware_unit(const std::string& name);
 
 /// The model, and the machine with Verilated hardware in the place of the unit.

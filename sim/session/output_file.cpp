@@ -1,4 +1,4 @@
-#include "sim/cli/output_file.h"
+#include "sim/session/output_file.h"
 
 #include <filesystem>
 

@@ -1,4 +1,5 @@
-#include "sim/cli/heightmap_command.h"
+#include "sim/session/heightmap_files.h"
+#include "sim/config/on_architecture.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,11 +13,10 @@
 namespace cuesta {
 namespace {
 
-class HeightmapCommand : public ::testing::Test {
+class HeightmapFiles : public ::testing::Test {
  protected:
   void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() / ("cuesta_heightmap_command_" + std::to_string(getpid()));
+    folder_ = std::filesystem::temp_directory_path() / ("cuesta_heightmap_files_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -25,7 +25,7 @@ class HeightmapCommand : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(HeightmapCommand, WhatIsMadeReadsBackAsWhatWasGenerated) {
+TEST_F(HeightmapFiles, WhatIsMadeReadsBackAsWhatWasGenerated) {
   for (const MapKind& kind : map_kinds()) {
     HeightmapMakeOptions options{std::string(kind.name), path("m.png"), 48, 20, 11, 6, true};
     heightmap_make(options);
@@ -36,7 +36,7 @@ TEST_F(HeightmapCommand, WhatIsMadeReadsBackAsWhatWasGenerated) {
   }
 }
 
-TEST_F(HeightmapCommand, InfoNamesChannelRangeLevelsAndBytes) {
+TEST_F(HeightmapFiles, InfoNamesChannelRangeLevelsAndBytes) {
   heightmap_make({"flat", path("f.png"), 6, 3, 8, 1, false});
   HeightSource source;
   source.path = path("f.png");
@@ -47,7 +47,7 @@ TEST_F(HeightmapCommand, InfoNamesChannelRangeLevelsAndBytes) {
   }
 }
 
-TEST_F(HeightmapCommand, AFileThatIsThereIsReplacedOnlyWithForce) {
+TEST_F(HeightmapFiles, AFileThatIsThereIsReplacedOnlyWithForce) {
   HeightmapMakeOptions options{"flat", path("f.png"), 2, 2, 8, 1, false};
   heightmap_make(options);
   EXPECT_THROW(heightmap_make(options), Error);
@@ -55,7 +55,7 @@ TEST_F(HeightmapCommand, AFileThatIsThereIsReplacedOnlyWithForce) {
   heightmap_make(options);
 }
 
-TEST_F(HeightmapCommand, AWatchThatSaysStopLeavesNoFile) {
+TEST_F(HeightmapFiles, AWatchThatSaysStopLeavesNoFile) {
   const HeightmapMakeOptions options{"noise", path("n.png"), 64, 64, 8, 1, false};
   const Watch stop = [](uint64_t done, uint64_t) { return done < 20; };
   for (bool while_making : {true, false}) {
@@ -69,7 +69,7 @@ TEST_F(HeightmapCommand, AWatchThatSaysStopLeavesNoFile) {
   }
 }
 
-TEST_F(HeightmapCommand, AFolderThatIsNotThereIsRefusedBeforeTheWork) {
+TEST_F(HeightmapFiles, AFolderThatIsNotThereIsRefusedBeforeTheWork) {
   const Watch never = [](uint64_t, uint64_t) {
     ADD_FAILURE() << "the map was made";
     return false;
@@ -77,7 +77,7 @@ TEST_F(HeightmapCommand, AFolderThatIsNotThereIsRefusedBeforeTheWork) {
   EXPECT_THROW(heightmap_make({"flat", path("none/f.png"), 2, 2, 8, 1, false}, never, never), Error);
 }
 
-TEST_F(HeightmapCommand, InfoTellsOfCellsWithoutDataAndOddSizes) {
+TEST_F(HeightmapFiles, InfoTellsOfCellsWithoutDataAndOddSizes) {
   heightmap_make({"steps", path("s.png"), 20, 5, 8, 1, false});
   HeightSource source;
   source.path = path("s.png");
@@ -89,7 +89,7 @@ TEST_F(HeightmapCommand, InfoTellsOfCellsWithoutDataAndOddSizes) {
   }
 }
 
-TEST_F(HeightmapCommand, HeightsOnACommandLineAreAFileAChannelAndKeys) {
+TEST_F(HeightmapFiles, HeightsOnACommandLineAreAFileAChannelAndKeys) {
   HeightSource plain = parse_height_source("a/b.tga");
   EXPECT_EQ(plain.path, "a/b.tga");
   EXPECT_EQ(plain.channel, "");
@@ -116,18 +116,7 @@ TEST_F(HeightmapCommand, HeightsOnACommandLineAreAFileAChannelAndKeys) {
   }
 }
 
-TEST_F(HeightmapCommand, SizesAndRangesAreReadWholeOrRefused) {
-  int width = 0, height = 0;
-  parse_map_size("640x480", width, height);
-  EXPECT_EQ(width, 640);
-  EXPECT_EQ(height, 480);
-  parse_map_size("16384", width, height);
-  EXPECT_EQ(width, 16384);
-  EXPECT_EQ(height, 16384);
-  for (const char* wrong :
-       {"", "x", "0", "-4", "4x", "x4", "4x4x4", "16385", "4 x 4", "1e3", "99999999999"}) {
-    EXPECT_THROW(parse_map_size(wrong, width, height), Error) << wrong;
-  }
+TEST_F(HeightmapFiles, RangesAreReadWholeOrRefused) {
   double low = 0, high = 0;
   parse_height_range("-4.5,900", "--range", low, high);
   EXPECT_EQ(low, -4.5);

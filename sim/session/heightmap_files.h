@@ -9,6 +9,7 @@
 
 namespace cuesta {
 
+/// A map to make and the file to write it into.
 struct HeightmapMakeOptions {
   std::string kind;
   std::string output;  ///< ends in .png, .tif or .tiff
@@ -25,11 +26,11 @@ struct HeightmapMakeOptions {
 std::string heightmap_make(const HeightmapMakeOptions& options, const Watch& making = {},
                            const Watch& writing = {});
 
-/// What the file holds, how it is read, and the pyramid over it, as lines of text. Throws as load_heights
+/// Says in lines of text what the file holds, how it is read, and what pyramid stands over it. Throws as load_heights
 /// does.
 std::string heightmap_info(const HeightSource& source);
 
-/// "512x256" or "512" (square), texels, at most `longest` on a side. Throws usage_error.
-void parse_map_size(const std::string& text, int& width, int& height, int longest = 16384);
+/// Throws usage_error for a number of bits that no height has; accepted are 1 to 16.
+void check_map_bits(int bits);
 
 }  // namespace cuesta
