@@ -28,6 +28,11 @@ StudyTimes parsed(const Json& json) {
 
 }  // namespace
 
+std::string measured_sentences(const StudyTimes& times) {
+  return "Measured on " + times.host + " (" + times.processor + "), " + times.date + ", load average " +
+         times.load + ", " + times.build + ". " + times.frame;
+}
+
 std::string times_json(const StudyTimes& times) {
   Json json = {{"schema", std::string(kTimesSchema)},
                {"host", times.host},

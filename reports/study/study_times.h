@@ -28,6 +28,9 @@ struct StudyTimes {
   std::vector<TimedRun> runs;
 };
 
+/// Says where, when and how the times were measured, and what was run.
+std::string measured_sentences(const StudyTimes& times);
+
 /// Changes with every change of a study's times.json that a reader can notice.
 inline constexpr std::string_view kTimesSchema = "cuesta-times-2";
 

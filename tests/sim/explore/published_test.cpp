@@ -11,7 +11,6 @@
 #include "models/common/words.h"
 #include "reports/study/study_readme.h"
 #include "sim/explore/study/study_runner.h"
-#include "sim/explore/study/view_bench.h"
 
 // What is committed under reports/published is what the program counts, and wall times beside it. Long under sanitizers.
 
