@@ -6,7 +6,7 @@
 
 #include "models/common/error.h"
 #include "reports/headline.h"
-#include "reports/html/assets.h"
+#include "reports/html/html_document.h"
 #include "reports/html/html_sections.h"
 #include "reports/html/html_text.h"
 #include "reports/numbers.h"
@@ -20,13 +20,6 @@ std::string section(const std::string& title, const std::string& lead, const std
   if (body.empty()) return "";
   return "<section><h2>" + title + "</h2>" + (lead.empty() ? "" : "<p class=\"lead\">" + lead + "</p>") +
          body + "</section>\n";
-}
-
-/// No line break between a number and its per cent sign.
-std::string with_firm_spaces(std::string text) {
-  for (size_t at = text.find(" %"); at != std::string::npos; at = text.find(" %", at))
-    text.replace(at, 1, "&nbsp;");
-  return text;
 }
 
 std::string facts_line(const Result& result) {
@@ -85,16 +78,7 @@ std::string html_page(const Result& result) {
           provenance(result) + "</details></section>\n";
   const std::string title = "Cuesta: " + result.command + " on " + result.runs.front().scene +
                             (groups.size() > 1 ? fmt::format(" and {} more", groups.size() - 1) : "");
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">"
-         "<meta name=\"color-scheme\" content=\"light dark\">"
-         "<link rel=\"icon\" href=\"data:,\"><title>" +
-         escape(title) + "</title>\n<style>" + std::string(kStyleSheet) +
-         "</style></head>\n<body><main>\n<header><p class=\"headline\">" +
-         with_firm_spaces(escape(headline(result))) + "</p><h1>" + escape(title) +
-         "</h1><p class=\"facts\">" + escape(facts_line(result)) + "</p></header>\n" + body +
-         "</main><div id=\"tip\" role=\"status\" hidden></div>\n<script>" + std::string(kScript) +
-         "</script></body></html>\n";
+  return html_document(title, headline(result), facts_line(result), body);
 }
 
 }  // namespace cuesta

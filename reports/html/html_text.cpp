@@ -58,6 +58,12 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
+std::string with_firm_spaces(std::string text) {
+  for (size_t at = text.find(" %"); at != std::string::npos; at = text.find(" %", at))
+    text.replace(at, 1, "&nbsp;");
+  return text;
+}
+
 std::string tip_attributes(std::string_view tip) {
   const std::string safe = escape(tip);
   return " tabindex=\"0\" role=\"img\" aria-label=\"" + safe + "\" data-tip=\"" + safe + "\"";

@@ -5,10 +5,13 @@
 
 namespace cuesta::html {
 
-/// Fit for text and for attribute values in double quotes.
+/// Makes text fit for markup and for attribute values in double quotes.
 std::string escape(std::string_view text);
 
-/// Fit for a <script> element: JSON text in which no "</" and no "<!--" can end it.
+/// Keeps numbers and their per cent signs on one line.
+std::string with_firm_spaces(std::string text);
+
+/// Makes JSON fit for a <script> element, which no "</" and no "<!--" in it can end.
 std::string safe_json(std::string json);
 
 /// An id or class made of a statistic's name: "def-height_l1-misses".

@@ -1,5 +1,7 @@
 #include "reports/study/study_data.h"
 
+#include <charconv>
+
 #include "models/common/error.h"
 
 namespace cuesta {
@@ -19,6 +21,25 @@ size_t axis_index(const StudyData& data, std::string_view name) { return index_o
 
 size_t counter_index(const StudyData& data, std::string_view name) {
   return index_of(data.counters, name, data);
+}
+
+const std::string& value_at(const StudyData& data, const StudyPlace& place, std::string_view axis) {
+  const size_t index = axis_index(data, axis);
+  return data.axes[index].values[place[index]];
+}
+
+double number_at(const StudyData& data, const StudyPlace& place, std::string_view axis) {
+  return number_of_value(value_at(data, place, axis));
+}
+
+bool is_at(const StudyData& data, const StudyPlace& place, std::string_view axis, std::string_view value) {
+  return value_at(data, place, axis) == value;
+}
+
+double number_of_value(const std::string& value) {
+  double number = 0;
+  std::from_chars(value.data(), value.data() + value.size(), number);
+  return number;
 }
 
 std::string listed_values(const StudyAxis& axis, std::string_view separator) {

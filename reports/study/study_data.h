@@ -58,11 +58,18 @@ struct StudyData {
   bool partial() const { return cases.size() < planned; }
 };
 
-/// The number of an axis or counter. Throws (internal error) for a name that the study does not have.
+/// Finds the number of an axis or counter. Throws (internal error) for a name that the study does not have.
 size_t axis_index(const StudyData& data, std::string_view name);
 size_t counter_index(const StudyData& data, std::string_view name);
 
-/// The values of an axis with `separator` between them; of more than a hundred the first, the last and their number.
+/// The value that a place has on an axis, as it is written; as a number; whether it is `value`.
+const std::string& value_at(const StudyData& data, const StudyPlace& place, std::string_view axis);
+double number_at(const StudyData& data, const StudyPlace& place, std::string_view axis);
+bool is_at(const StudyData& data, const StudyPlace& place, std::string_view axis, std::string_view value);
+/// Reads the number that a value of an axis of numbers stands for; 0 for a name.
+double number_of_value(const std::string& value);
+
+/// Writes the values of an axis with `separator` between them; of more than a hundred the first, the last and their number.
 std::string listed_values(const StudyAxis& axis, std::string_view separator);
 
 /// Reads a study's cases by place and by name. `data` must outlive it.
@@ -72,12 +79,12 @@ class StudyTable {
 
   const StudyData& data() const { return data_; }
   const StudyAxis& axis(std::string_view name) const { return data_.axes[axis_index(data_, name)]; }
-  /// The number of a value on its axis; nullopt where the axis has no such value.
+  /// Finds the number of a value on its axis; nullopt where the axis has no such value.
   std::optional<uint16_t> find(std::string_view axis, std::string_view value) const;
-  /// nullptr where the case is not planned or not finished.
+  /// Finds a case; nullptr where it is not planned or not finished.
   const StudyCase* at(const StudyPlace& place) const;
   std::optional<int64_t> value(const StudyPlace& place, std::string_view counter) const;
-  /// The quotient of two counters; nullopt also where the denominator is 0.
+  /// Divides one counter by another; nullopt also where the denominator is 0.
   std::optional<double> ratio(const StudyPlace& place, std::string_view numerator,
                               std::string_view denominator) const;
 
@@ -88,11 +95,11 @@ class StudyTable {
   std::vector<int32_t> case_at_;  ///< by number of place; -1: none
 };
 
-/// data.json: the source of truth.
+/// Writes data.json, the source of truth.
 std::string study_json(const StudyData& data);
-/// The study in the text of a data.json. Throws input_error naming `where` for anything else.
+/// Reads the study in the text of a data.json. Throws input_error naming `where` for anything else.
 StudyData parse_study_json(const std::string& text, const std::string& where);
-/// data.csv: one row per case, a column per axis and per counter.
+/// Writes data.csv: one row per case, a column per axis and per counter.
 std::string study_csv(const StudyData& data);
 
 }  // namespace cuesta

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,15 @@ struct StudyTimes {
   std::vector<TimedRun> runs;
 };
 
+/// Says where, when and how the times were measured, and what was run.
+std::string measured_sentences(const StudyTimes& times);
+
+/// Changes with every change of a study's times.json that a reader can notice.
+inline constexpr std::string_view kTimesSchema = "cuesta-times-2";
+
+/// Writes times.json: everything that is in `times`.
 std::string times_json(const StudyTimes& times);
+/// Reads the wall times in the text of a times.json. Throws input_error naming `where` for anything else.
+StudyTimes parse_times_json(const std::string& text, const std::string& where);
 
 }  // namespace cuesta

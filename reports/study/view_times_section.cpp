@@ -19,9 +19,7 @@ class Beside {
   std::string section() const {
     std::string view;
     for (const auto& [axis, value] : times_.view) view += (view.empty() ? "" : ", ") + axis + " " + value;
-    const std::string lead = "Measured on " + times_.host + " (" + times_.processor + "), " + times_.date +
-                             ", load average " + times_.load + ", " + times_.build + ". " + times_.frame +
-                             " The view: " + view +
+    const std::string lead = measured_sentences(times_) + " The view: " + view +
                              ". Exact algorithms read the max pyramid, searches a map of their own. "
                              "Functional, exact algorithms walk 16 "
                              "rays at a time where the processor has AVX-512; searches take one. Only ratios "

@@ -13,13 +13,13 @@ namespace cuesta::html {
 /// What wall times of one view are shown against.
 struct TimedView {
   std::string title;
-  const char* base;                                               ///< algorithm that others are divided by
-  std::function<std::string(const std::string&)> kind_of;         ///< of an algorithm: what shares a colour
-  std::function<std::optional<double>(const StudyPlace&)> error;  ///< per cent of the rays
-  const char* error_name;                                         ///< "rays that are wrong"
+  const char* base;                                        ///< algorithm that others are divided by
+  std::function<std::string(const std::string&)> kind_of;  ///< of an algorithm: what shares a colour
+  ReadPlace error;                                         ///< per cent of the rays
+  const char* error_name;                                  ///< "rays that are wrong"
 };
 
-/// Error against the simulator's own wall time, functional and cycle by cycle, as charts and as a table.
+/// Shows error against the simulator's own wall time, functional and cycle by cycle, as charts and as a table.
 std::string view_times_section(const StudyTable& table, const StudyTimes& times, const TimedView& view);
 
 /// Adds a point to the series named `kind`; `exact` has a colour of its own.

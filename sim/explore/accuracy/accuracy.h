@@ -1,19 +1,17 @@
 #pragma once
 
-#include <memory>
-#include <span>
+#include <string>
 
 #include "sim/explore/study/study.h"
 
 namespace cuesta {
 
-/// How wrong is each algorithm, and what does being right cost in steps, cycles and bytes?
-StudyData accuracy_plan(bool quick);
-std::unique_ptr<StudyBench> make_accuracy_bench(const StudyData& plan,
-                                                std::span<const uint16_t> size_and_map);
+/// Asks how wrong each algorithm is, and what being right costs in steps, cycles and bytes.
+Study accuracy_study();
 
-/// One view of the study for each value of its axis `algorithm`: the making of what the rays read, and the run,
-/// functional and cycle by cycle on mobile. Throws Error(kIncomplete) when `progress` says no.
-StudyTimes accuracy_times(bool quick, const StudyProgress& progress);
+// Its page, for the plan's file and for tests.
+std::string accuracy_page(const StudyData& data);
+std::string accuracy_timed_page(const StudyData& data, const StudyTimes& times);
+std::string accuracy_headline(const StudyData& data);
 
 }  // namespace cuesta

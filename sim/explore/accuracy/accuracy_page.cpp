@@ -3,56 +3,47 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/algorithms/schedule.h"
+#include "models/work/hit_judge.h"
 #include "reports/html/html_text.h"
 #include "reports/html/svg_bar_plot.h"
 #include "reports/numbers.h"
 #include "reports/study/study_parts.h"
 #include "reports/study/view_times_section.h"
-#include "sim/explore/study/study_pages.h"
+#include "sim/explore/accuracy/accuracy.h"
+#include "sim/explore/study/ray_ends.h"
 
 namespace cuesta {
 namespace html {
 
 namespace {
 
-using ReadPlace = std::function<std::optional<double>(const StudyPlace&)>;
+bool is_exact(const std::string& algorithm) { return parse_algorithm(algorithm).exact(); }
 
-bool is_exact(const std::string& algorithm) {
-  return algorithm == "dda" || algorithm == "oh2006" || algorithm == "yun2013";
-}
-
-/// What shares a colour: exact algorithms, and searches that differ in parameters alone.
+/// Names what shares a colour: exact algorithms, and searches that differ in parameters alone.
 std::string kind_of(const std::string& algorithm) {
   return is_exact(algorithm) ? "exact" : algorithm.substr(0, algorithm.find(':'));
 }
 
-/// Rays that are wrong, per cent.
+/// Reads the rays that are wrong, per cent.
 ReadPlace wrong_reader(const StudyTable& table) {
-  return [&table](const StudyPlace& place) -> std::optional<double> {
-    const auto rays = table.value(place, "rays");
-    if (!rays || *rays == 0) return std::nullopt;
-    int64_t sum = 0;
-    for (const char* verdict : {"missed", "behind", "wrong_cell"})
-      sum += table.value(place, verdict).value_or(0);
-    return 100 * static_cast<double>(sum) / static_cast<double>(*rays);
-  };
+  return [&table](const StudyPlace& place) { return share_of_rays(table, {place}, wrong_counters()); };
 }
 
 std::string percentage(double value) { return significant(value, 3) + " %"; }
 
 constexpr const char* kExactOne = "yun2013";
-constexpr double kParts = 256;  // of a height LSB, of a texel
 constexpr Quotient kCycles{"cycles", "rays"}, kSteps{"steps", "rays"}, kBytes{"dram_read_bytes", "rays"};
 
-double median_of(const StudyTable& table, const Where& where, const ReadPlace& number) {
-  return spread(places_where(table, where), number).median;
+double median_or_0(const StudyTable& table, const Where& where, const ReadPlace& number) {
+  return median_of(table, where, number).value_or(0);
 }
 
 ReadPlace reader(const StudyTable& table, const Quotient& quotient) {
   return [&table, quotient](const StudyPlace& place) { return value_of(table, place, quotient); };
 }
 
-/// Error, cycles and bytes of every algorithm in the views of one depth and angle: medians over the maps.
+/// Draws error, cycles and bytes of every algorithm in the views of one depth and angle: medians over the maps.
 ScatterPlot cost_plot(const StudyTable& table, const std::string& depth, const std::string& angle) {
   ScatterPlot plot;
   plot.title = "depth " + escape(depth) + ", " + escape(angle) + "°";
@@ -64,12 +55,12 @@ ScatterPlot cost_plot(const StudyTable& table, const std::string& depth, const s
     const Where where = {{"depth", depth}, {"angle", angle}, {"algorithm", algorithm}};
     if (places_where(table, where).empty()) continue;
     ScatterPoint point;
-    point.x = median_of(table, where, reader(table, kCycles));
-    point.y = median_of(table, where, wrong_reader(table));
-    point.area = median_of(table, where, reader(table, kBytes));
+    point.x = median_or_0(table, where, reader(table, kCycles));
+    point.y = median_or_0(table, where, wrong_reader(table));
+    point.area = median_or_0(table, where, reader(table, kBytes));
     point.tip = fmt::format("{}\n{} % of the rays wrong\n{} cycles/ray\n{} steps/ray\n{} DRAM bytes/ray",
                             algorithm, significant(point.y, 3), significant(point.x, 3),
-                            significant(median_of(table, where, reader(table, kSteps)), 3),
+                            significant(median_or_0(table, where, reader(table, kSteps)), 3),
                             significant(point.area, 3));
     add_point(kind_of(algorithm), std::move(point), plot);
   }
@@ -119,32 +110,15 @@ std::string verdict_section(const StudyTable& table) {
   plot.title = "Verdicts over all views";
   plot.remark = "share of all rays";
   plot.full = 100;
-  const std::pair<const char*, const char*> kVerdicts[] = {
-      {"exact", "work"}, {"tie", "f1-1"}, {"wrong_cell", "f0-1"}, {"behind", "f0-3"}, {"missed", "f2-2"}};
-  const char* const kMeanings[] = {"the true cell", "right if touching counts", "another cell, too early",
-                                   "another cell, too late", "no hit where there is one"};
-  for (size_t k = 0; k < std::size(kVerdicts); ++k) {
-    plot.legend.push_back({kVerdicts[k].second, kVerdicts[k].first, kMeanings[k]});
-  }
-  for (const std::string& algorithm : table.axis("algorithm").values) {
-    double rays = 0;
-    std::vector<double> sums(std::size(kVerdicts), 0);
-    for (const StudyPlace& place : places_where(table, {{"algorithm", algorithm}})) {
-      rays += static_cast<double>(table.value(place, "rays").value_or(0));
-      for (size_t k = 0; k < sums.size(); ++k)
-        sums[k] += static_cast<double>(table.value(place, kVerdicts[k].first).value_or(0));
-    }
-    if (rays == 0) continue;
-    Bar bar{algorithm, significant(100 * (sums[2] + sums[3] + sums[4]) / rays, 3) + " % wrong", {}, false};
-    for (size_t k = 0; k < sums.size(); ++k) {
-      const double share = 100 * sums[k] / rays;
-      bar.segments.push_back({kVerdicts[k].second, share,
-                              fmt::format("{}\n{}: {} %\n{}", algorithm, kVerdicts[k].first,
-                                          significant(share, 3), kMeanings[k]),
-                              ""});
-    }
-    plot.bars.push_back(std::move(bar));
-  }
+  constexpr RayEnd kEnds[] = {kExactEnd, kTieEnd, kWrongCellEnd, kBehindEnd, kMissedEnd};
+  add_ray_ends(
+      table, kEnds, percentage,
+      [&](const std::string& algorithm) {
+        const auto wrong =
+            share_of_rays(table, places_where(table, {{"algorithm", algorithm}}), wrong_counters());
+        return Bar{algorithm, percentage(wrong.value_or(0)) + " wrong", {}, false};
+      },
+      plot);
   panels.emplace_back("all verdicts", svg_bar_plot(plot));
   return study_section(
       "How many rays are wrong",
@@ -162,16 +136,17 @@ std::string error_section(const StudyTable& table) {
         const Where where = {{"depth", depth}, {"angle", angle}, {"algorithm", algorithm}};
         if (places_where(table, where).empty()) continue;
         const auto text = [&](std::string_view counter, double scale) {
-          return significant(median_of(table, where, reader(table, {counter, "", scale})), 3);
+          return significant(median_or_0(table, where, reader(table, {counter, "", scale})), 3);
         };
         const auto each = [&](const Quotient& quotient) {
-          return significant(median_of(table, where, reader(table, quotient)), 3);
+          return significant(median_or_0(table, where, reader(table, quotient)), 3);
         };
-        rows.push_back({escape(algorithm), text("height_rms", 1 / kParts), text("height_p99", 1 / kParts),
-                        text("height_max", 1 / kParts), text("texel_rms", 1 / kParts),
-                        text("texel_p99", 1 / kParts), text("texel_max", 1 / kParts), text("psnr", 0.01),
-                        text("ssim", 1e-6), each(kSteps), each(kCycles), each(kBytes),
-                        text("preprocessing_texels", 1e-6), text("map_bytes", 1.0 / 1024)});
+        rows.push_back({escape(algorithm), text("height_rms", 1 / kErrorParts),
+                        text("height_p99", 1 / kErrorParts), text("height_max", 1 / kErrorParts),
+                        text("texel_rms", 1 / kErrorParts), text("texel_p99", 1 / kErrorParts),
+                        text("texel_max", 1 / kErrorParts), text("psnr", 0.01), text("ssim", 1e-6),
+                        each(kSteps), each(kCycles), each(kBytes), text("preprocessing_texels", 1e-6),
+                        text("map_bytes", 1.0 / 1024)});
       }
       panels.emplace_back(
           "depth " + depth + ", " + angle + "°",
@@ -188,7 +163,7 @@ std::string error_section(const StudyTable& table) {
       choice("errors", panels));
 }
 
-/// The search of least cycles whose median of wrong rays is at most `limit` per cent; nullptr: none.
+/// Finds the search of least cycles whose median of wrong rays is at most `limit` per cent; nullptr: none.
 const std::string* cheapest(const StudyTable& table, const std::string& depth, const std::string& angle,
                             double limit) {
   const std::string* best = nullptr;
@@ -196,8 +171,8 @@ const std::string* cheapest(const StudyTable& table, const std::string& depth, c
   for (const std::string& algorithm : table.axis("algorithm").values) {
     const Where where = {{"depth", depth}, {"angle", angle}, {"algorithm", algorithm}};
     if (is_exact(algorithm) || places_where(table, where).empty()) continue;
-    if (median_of(table, where, wrong_reader(table)) > limit) continue;
-    const double cycles = median_of(table, where, reader(table, kCycles));
+    if (median_or_0(table, where, wrong_reader(table)) > limit) continue;
+    const double cycles = median_or_0(table, where, reader(table, kCycles));
     if (best == nullptr || cycles < least) {
       best = &algorithm;
       least = cycles;
@@ -211,7 +186,7 @@ std::string one_percent_section(const StudyTable& table) {
   for (const std::string& depth : table.axis("depth").values) {
     for (const std::string& angle : table.axis("angle").values) {
       const Where exact = {{"depth", depth}, {"angle", angle}, {"algorithm", kExactOne}};
-      const double cycles = median_of(table, exact, reader(table, kCycles));
+      const double cycles = median_or_0(table, exact, reader(table, kCycles));
       std::vector<std::string> row = {fmt::format("depth {}, {}°", depth, angle), significant(cycles, 3)};
       for (const double limit : {10.0, 1.0, 0.1}) {
         const std::string* name = cheapest(table, depth, angle, limit);
@@ -219,8 +194,8 @@ std::string one_percent_section(const StudyTable& table) {
           row.push_back("none");
           continue;
         }
-        const double its = median_of(table, {{"depth", depth}, {"angle", angle}, {"algorithm", *name}},
-                                     reader(table, kCycles));
+        const double its = median_or_0(table, {{"depth", depth}, {"angle", angle}, {"algorithm", *name}},
+                                       reader(table, kCycles));
         row.push_back(
             fmt::format("{}: {} (× {})", escape(*name), significant(its, 3), significant(its / cycles, 3)));
       }
@@ -232,7 +207,7 @@ std::string one_percent_section(const StudyTable& table) {
       "Cycles per ray, medians over the maps; in brackets against yun2013. Exact algorithms differ from the "
       "truth by "
       "the rounding of their reciprocals alone: " +
-          significant(median_of(table, {{"algorithm", kExactOne}}, wrong_reader(table)), 2) +
+          significant(median_or_0(table, {{"algorithm", kExactOne}}, wrong_reader(table)), 2) +
           " % of the rays (median), " +
           significant(spread(places_where(table, {{"algorithm", kExactOne}}), wrong_reader(table)).largest,
                       2) +
@@ -276,17 +251,17 @@ std::string accuracy_headline(const StudyData& data) {
   };
   const Spread relief = figure("relief", kGrazing), cone = figure("cone", kGrazing);
   const Spread relief_cost = cost("relief", kGrazing), cone_cost = cost("cone", kGrazing);
-  if (relief.views == 0 || cone.views == 0) return "The study was ended before it could say anything.";
+  if (relief.views == 0 || cone.views == 0) return kEndedTooEarly;
   size_t beaten = 0, views = 0;
   for (const std::string& one : table.axis("depth").values) {
     for (const std::string& angle : table.axis("angle").values) {
       const std::string* name = cheapest(table, one, angle, 1.0);
       ++views;
       if (name == nullptr) continue;
-      const double its =
-          median_of(table, {{"depth", one}, {"angle", angle}, {"algorithm", *name}}, reader(table, kCycles));
-      beaten += its < median_of(table, {{"depth", one}, {"angle", angle}, {"algorithm", kExactOne}},
-                                reader(table, kCycles));
+      const double its = median_or_0(table, {{"depth", one}, {"angle", angle}, {"algorithm", *name}},
+                                     reader(table, kCycles));
+      beaten += its < median_or_0(table, {{"depth", one}, {"angle", angle}, {"algorithm", kExactOne}},
+                                  reader(table, kCycles));
     }
   }
   const Spread exact_cost = spread(places_where(table, {{"depth", depth}, {"algorithm", kExactOne}}),
@@ -294,19 +269,20 @@ std::string accuracy_headline(const StudyData& data) {
                                      if (!within(table, place, kGrazing)) return std::nullopt;
                                      return value_of(table, place, kCycles);
                                    });
+  const Search one_relief = parse_search("relief"), one_cone = parse_search("cone");
   return fmt::format(
-      "At grazing angles (from 75°, depth {}) yun2013 takes {} cycles per ray and errs by the rounding of "
-      "its numbers alone, on {} % of the rays; relief with "
-      "100 + 7 "
-      "steps takes {} times as many and is wrong on {} % of the rays, cone stepping with at most 100 takes "
-      "{} times as "
-      "many and is wrong on {} % (lower medians over {} views). A search that is right on 99 % of the rays "
-      "takes "
-      "fewer cycles "
-      "than yun2013 in {} of {} classes of views.",
-      depth, significant(exact_cost.median, 3), significant(figure(kExactOne, kGrazing).median, 2),
-      significant(relief_cost.median, 2), significant(relief.median, 2), significant(cone_cost.median, 2),
-      significant(cone.median, 2), relief.views, beaten, views);
+      "At grazing angles (from {:g}°, depth {}) yun2013 takes {} cycles per ray and errs by the rounding of "
+      "its "
+      "numbers alone, on {} % of the rays; relief with {} + {} steps takes {} times as many and is wrong on "
+      "{} % "
+      "of the rays, cone stepping with at most {} takes {} times as many and is wrong on {} % (lower medians "
+      "over {} views). A search that is right on 99 % of the rays takes fewer cycles than yun2013 in {} of "
+      "{} "
+      "classes of views.",
+      kGrazing.least, depth, significant(exact_cost.median, 3),
+      significant(figure(kExactOne, kGrazing).median, 2), one_relief.steps, one_relief.refinements,
+      significant(relief_cost.median, 2), significant(relief.median, 2), one_cone.steps,
+      significant(cone_cost.median, 2), significant(cone.median, 2), relief.views, beaten, views);
 }
 
 namespace html {

@@ -1,20 +1,20 @@
 #include "sim/explore/accuracy/accuracy_pictures.h"
-#include "models/work/functional_run.h"
-#include "sim/config/on_architecture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "models/work/functional_run.h"
 #include "models/work/hit_judge.h"
 #include "reports/numbers.h"
 #include "reports/panel_grid.h"
+#include "sim/config/on_architecture.h"
 #include "sim/session/job.h"
 
 namespace cuesta {
 namespace {
 
-/// One picture to make.
+/// What one picture shows.
 struct Subject {
   const char* name;
   const char* scene;

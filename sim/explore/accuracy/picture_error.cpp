@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kWindow = 8, kStride = 4;
 
-/// Of one window of two pictures.
+/// Gives the structural similarity of one window of two pictures.
 double similarity(std::span<const double> a, std::span<const double> b, int width, int x, int y) {
   constexpr double kC1 = 0.01 * 0.01, kC2 = 0.03 * 0.03, kPixels = kWindow * kWindow;
   double sum_a = 0, sum_b = 0, square_a = 0, square_b = 0, product = 0;

@@ -16,7 +16,7 @@ struct Member {
 
 bool is_worse(const Member& a, const Member& b) { return a.score < b.score; }
 
-/// The better of two members.
+/// Picks the better of two members.
 size_t parent(Random& random, const std::vector<Member>& members) {
   const size_t a = random.below(members.size()), b = random.below(members.size());
   return members[a].score >= members[b].score ? a : b;

@@ -9,12 +9,14 @@
 
 namespace cuesta {
 
+/// What a search is asked for.
 struct AdversaryOptions {
   AdversaryBounds bounds;
   uint64_t seed = 1;
   bool learns = true;  ///< false: random cases only, to hold the search against
 };
 
+/// What a search has found.
 struct AdversaryResult {
   AdversaryCase best;
   double score = -1;
@@ -24,7 +26,7 @@ struct AdversaryResult {
   std::string fault;  ///< not empty: `best` is the case in which an exact algorithm was not exact
 };
 
-/// Called before each try with tries made and the best score; false ends the search.
+/// Is called before each try with tries made and the best score; returning false ends the search.
 using AdversaryWatch = std::function<bool(uint64_t tries, double best)>;
 
 /// Looks for the case of the highest score: a small population whose members are changed and crossed, the better child

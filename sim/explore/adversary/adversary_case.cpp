@@ -5,7 +5,7 @@
 namespace cuesta {
 namespace {
 
-/// A coordinate of a tile: anywhere, on a plane, in a texel's middle.
+/// Draws a coordinate of a tile: anywhere, on a plane, in a texel's middle.
 double any_place(Random& random, int texels) {
   const auto index = static_cast<double>(random.below(static_cast<uint64_t>(texels)));
   switch (random.below(4)) {
@@ -18,6 +18,7 @@ double any_place(Random& random, int texels) {
   }
 }
 
+/// Draws how far a ray moves along an axis: not at all, as far as it may, by whole texels, or by anything.
 double any_reach(Random& random, int texels, double reach) {
   switch (random.below(6)) {
     case 0:
@@ -38,7 +39,7 @@ FallingRay any_ray(Random& random, const AdversaryBounds& bounds) {
           any_reach(random, bounds.width, bounds.reach), any_reach(random, bounds.height, bounds.reach)};
 }
 
-/// Full scale, the floor, one step beside `near`, or anything.
+/// Draws a height: full scale, the floor, near `near`, just it, or anything.
 uint16_t any_height(Random& random, const HeightGrid& grid, uint16_t near) {
   const auto full = static_cast<int64_t>(grid.full_scale());
   switch (random.below(5)) {
@@ -59,7 +60,7 @@ int any_index(Random& random, int size) {
   return static_cast<int>(random.below(static_cast<uint64_t>(size)));
 }
 
-/// A block of texels, of one height, moved in height, or copied from elsewhere.
+/// Changes a block of texels: to one height, up or down, or to what stands elsewhere.
 void change_block(Random& random, HeightGrid& grid) {
   const int longest = std::max(1, std::max(grid.width, grid.height) / (random.chance(0.5) ? 8 : 2));
   const bool row = random.chance(0.2), column = !row && random.chance(0.2);
@@ -82,12 +83,14 @@ void change_block(Random& random, HeightGrid& grid) {
   }
 }
 
+/// Brings a place into the tile: [0, 1).
 double wrapped(double place) {
   const double whole = static_cast<double>(static_cast<int64_t>(place)) - (place < 0 ? 1 : 0);
   const double inside = place - whole;
   return inside < 1 ? inside : 0;
 }
 
+/// Changes one ray: makes it anew, copies another one, or moves its entry or its end.
 void change_ray(Random& random, std::vector<FallingRay>& rays, const AdversaryBounds& bounds) {
   FallingRay& ray = rays[random.below(rays.size())];
   const uint64_t how = random.below(5);
@@ -109,6 +112,7 @@ void change_ray(Random& random, std::vector<FallingRay>& rays, const AdversaryBo
   }
 }
 
+/// Fills a map: flat, noise, spikes, pits, checker or steps.
 void fill(Random& random, HeightGrid& grid) {
   const auto full = static_cast<int64_t>(grid.full_scale());
   const uint64_t kind = random.below(6);

@@ -17,14 +17,14 @@ std::string rounded(double value) {
   return text;
 }
 
-/// "root:2:never" as a name for files.
+/// Makes an algorithm's name fit for files: "root:2:never" is "root-2-never".
 std::string file_name(std::string id) {
   std::replace(id.begin(), id.end(), ':', '-');
   std::erase(id, '=');
   return id;
 }
 
-/// As a basic string of TOML.
+/// Writes a text as a basic string of TOML.
 std::string quoted(const std::string& value) {
   std::string text = "\"";
   for (const char letter : value) {
@@ -82,7 +82,7 @@ std::string readme_text(const AdversaryRecord& record, const AdversaryResult& re
          place_of_score(record) + "\n";
 }
 
-/// As a shell reads it.
+/// Quotes a text where a shell would read it otherwise.
 std::string shell_word(const std::string& text) {
   const bool plain = std::ranges::all_of(text, [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '/' || c == '.' || c == '-' || c == '_' || c >= 0x80;

@@ -1,6 +1,4 @@
 #include "sim/explore/adversary/adversary_score.h"
-#include "models/work/functional_run.h"
-#include "sim/config/on_architecture.h"
 
 #include <array>
 #include <cmath>
@@ -12,6 +10,8 @@
 #include "models/rays/map_shape.h"
 #include "models/traversal/arithmetic.h"
 #include "models/traversal/traversal.h"
+#include "models/work/functional_run.h"
+#include "sim/config/on_architecture.h"
 
 namespace cuesta {
 namespace {
@@ -106,8 +106,7 @@ double AdversaryScorer::score_of(const Algorithm& algorithm, const Prepared& pre
   const Pyramid stopped = stop > 0 ? build_stopped_pyramid(prepared.pyramid, stop) : Pyramid();
   work.pyramid = stop > 0 ? &stopped : &prepared.pyramid;
   work.map = prepared.shape;
-  work.arithmetic = architecture_.traverse.arithmetic;
-  work.format = prepared.format;
+  set_numbers(work, architecture_);
   work.rays = prepared.rays;
   work.pixel_of_ray = prepared.pixels;
   work.width = static_cast<int>(prepared.rays.size());

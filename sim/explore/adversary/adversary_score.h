@@ -12,13 +12,15 @@
 
 namespace cuesta {
 
+/// What an adversary makes as large as it can.
 enum class Maximise : uint8_t { kSteps, kCycles, kError };
 
-/// steps, cycles, error
+/// Lists their names: steps, cycles, error.
 std::span<const std::string_view> maximise_names();
-/// What a score counts: "steps per ray" ...
+/// Says what a score counts: "steps per ray" ...
 std::string_view unit_of(Maximise maximise);
 
+/// What a case is worth.
 struct AdversaryScore {
   double score = 0;
   /// An exact algorithm that differs from the leaf walk, or the leaf walk in fixed point from exact arithmetic: a fault of
@@ -35,9 +37,9 @@ class AdversaryScorer {
  public:
   AdversaryScorer(Algorithm algorithm, const Architecture& architecture, AddressMode mode, Maximise maximise);
 
-  /// Throws as `quantise` and `number_format` do.
+  /// Scores a case. Throws as `quantise` and `number_format` do.
   AdversaryScore score(const HeightGrid& grid, std::span<const TracedRay> rays) const;
-  /// Of another algorithm on the same machine; its fault is not looked for.
+  /// Scores another algorithm on the same machine; its fault is not looked for.
   double score_of(const Algorithm& algorithm, const HeightGrid& grid, std::span<const TracedRay> rays) const;
 
  private:

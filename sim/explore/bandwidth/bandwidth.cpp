@@ -1,17 +1,18 @@
 #include "sim/explore/bandwidth/bandwidth.h"
 
-#include "models/common/error.h"
+#include <fmt/format.h>
+
+#include "reports/numbers.h"
 #include "sim/config/architecture_file.h"
-#include "sim/explore/study/view_bench.h"
-#include "sim/machine/machine.h"
+#include "sim/explore/study/view_runner.h"
 
 namespace cuesta {
 namespace {
 
-class BandwidthBench : public ViewBench {
+class BandwidthRunner : public ViewRunner {
  public:
-  BandwidthBench(const StudyData& plan, std::span<const uint16_t> size_and_map)
-      : ViewBench(plan, size_and_map, picture_pixels(false)) {
+  BandwidthRunner(const StudyData& plan, std::span<const uint16_t> size_and_map)
+      : ViewRunner(plan, size_and_map, picture_pixels(false)) {
     for (const std::string& name : plan.axes[axis_index(plan, "machine")].values) {
       machines_.push_back(resolve_architecture(name, {}, true).architecture);
     }
@@ -21,11 +22,7 @@ class BandwidthBench : public ViewBench {
     const Architecture& architecture = machines_[place[axis_index(plan_, "machine")]];
     const Workload work = work_at(place, architecture);
     const Outcome outcome = run_cycle(work, architecture);
-    const std::vector<std::string> broken = broken_laws(work, architecture, Fidelity::kCycle, outcome);
-    if (!broken.empty()) {
-      throw Error(ExitCode::kMismatch,
-                  "The accounting of a case of the study breaks its laws; the first: " + broken.front());
-    }
+    check_laws(work, architecture, Fidelity::kCycle, outcome);
     check_same_hits(place, outcome.hits);
     const Counters& counters = outcome.measurements.counters;
     auto sum = [&](const char* unit, const char* statistic) { return counters.sum(unit, statistic); };
@@ -52,23 +49,20 @@ class BandwidthBench : public ViewBench {
   std::vector<Architecture> machines_;
 };
 
-}  // namespace
+constexpr std::string_view kName = "bandwidth";
 
-StudyData bandwidth_plan(bool quick) {
-  StudyData plan;
-  plan.study = "bandwidth";
-  plan.question = "How many bytes and cycles do the steps of each algorithm cost, and when?";
-  plan.amount = quick ? "quick" : "published";
+StudyData make_plan(bool quick) {
+  StudyData plan =
+      begin_plan(kName, "How many bytes and cycles do the steps of each algorithm cost, and when?", quick);
   plan.conditions = view_conditions();
-  plan.conditions.push_back(
-      "Fidelity: cycle, cold caches, scanline order. mobile: one pipeline at 500 MHz, L1 of 16 KiB in lines "
-      "of 64 "
-      "bytes, 12.8 GB/s of DRAM. desktop: its preset, for one map and size.");
-  plan.conditions.push_back(
-      "All 32,768 rays of the picture are traced: the counts are exact, nothing is sampled.");
-  plan.conditions.push_back(
-      "dda is left out where it takes longest: on 1024 texels beyond 60 degrees, on 4096 in all but front "
-      "views.");
+  add_conditions(
+      plan,
+      {"Fidelity: cycle, cold caches, scanline order. mobile: one pipeline at 500 MHz, L1 of 16 KiB in lines "
+       "of 64 bytes, 12.8 GB/s of DRAM. desktop: its preset, for one map and size.",
+       fmt::format("All {} rays of the picture are traced: the counts are exact, nothing is sampled.",
+                   grouped(kViewWidth * kViewHeight)),
+       "dda is left out where it takes longest: on 1024 texels beyond 60 degrees, on 4096 in all but front "
+       "views."});
   const StudyAxis machines{
       "machine", "", "Preset, as `cuesta list architectures` calls it.", {"mobile", "desktop"}};
   if (quick) {
@@ -79,13 +73,12 @@ StudyData bandwidth_plan(bool quick) {
                  machines,
                  algorithm_axis({"oh2006", "yun2013"})};
   } else {
-    plan.axes = {
-        size_axis({"256", "1024", "4096"}),
-        map_axis({"fractal", "rocks", "text", "spikes", "hawaii", "rockbump", "logo", "noise", "terraces"}),
-        depth_axis({"0.05", "0.35"}),
-        angle_axis({"0", "50", "75", "86", "88"}),
-        machines,
-        algorithm_axis(study_algorithms())};
+    plan.axes = {size_axis({"256", "1024", "4096"}),
+                 map_axis(study_maps()),
+                 depth_axis({"0.05", "0.35"}),
+                 angle_axis({"0", "50", "75", "86", "88"}),
+                 machines,
+                 algorithm_axis(study_algorithms())};
   }
   plan.counters = {
       {"rays", "rays", "Rays traced, one per pixel; all of them hit."},
@@ -103,14 +96,13 @@ StudyData bandwidth_plan(bool quick) {
       {"dram_row_hits", "requests", "Requests that found their DRAM row open."},
       {"texel_bytes", "bytes", "Bytes of the texels that the steps read: the traffic without a cache."},
       {"latency_median", "cycles", "Median over the rays, dispatch to completion."},
-      {"simt_slots", "steps",
-       "Steps of warps of 8 x 4 neighbouring pixels in which every lane waits for the longest."},
+      simt_counter(),
       {"clock_mhz", "MHz", "The machine's clock."},
   };
   return plan;
 }
 
-bool bandwidth_planned(const StudyData& plan, const StudyPlace& place) {
+bool is_planned(const StudyData& plan, const StudyPlace& place) {
   const double size = number_at(plan, place, "size");
   if (is_at(plan, place, "algorithm", "dda") && size > 256 &&
       size * number_at(plan, place, "angle") > 1024 * 60) {
@@ -122,9 +114,15 @@ bool bandwidth_planned(const StudyData& plan, const StudyPlace& place) {
          (is_at(plan, place, "size", "1024") || is_at(plan, place, "size", "64"));
 }
 
-std::unique_ptr<StudyBench> make_bandwidth_bench(const StudyData& plan,
-                                                 std::span<const uint16_t> size_and_map) {
-  return std::make_unique<BandwidthBench>(plan, size_and_map);
+}  // namespace
+
+Study bandwidth_study() {
+  return {.name = kName,
+          .plan = make_plan,
+          .planned = is_planned,
+          .make_runner = make_case_runner<BandwidthRunner>,
+          .page = bandwidth_page,
+          .headline = bandwidth_headline};
 }
 
 }  // namespace cuesta

@@ -1,13 +1,23 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "reports/study/literature.h"
 #include "sim/explore/study/study.h"
 
 namespace cuesta {
 
-/// How many bytes and cycles do the steps cost on a machine? Cycle by cycle.
-StudyData bandwidth_plan(bool quick);
-bool bandwidth_planned(const StudyData& plan, const StudyPlace& place);
-std::unique_ptr<StudyBench> make_bandwidth_bench(const StudyData& plan,
-                                                 std::span<const uint16_t> size_and_map);
+/// Asks how many bytes and cycles the steps cost on a machine; cycle by cycle.
+Study bandwidth_study();
+
+// Its page, for the plan's file and for tests.
+std::string bandwidth_page(const StudyData& data);
+std::string bandwidth_headline(const StudyData& data);
+
+namespace html {
+/// What the literature says of cycles and bytes.
+const std::vector<Statement>& statements_on_cycles();
+}  // namespace html
 
 }  // namespace cuesta

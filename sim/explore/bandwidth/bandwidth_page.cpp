@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "models/rays/hit.h"
 #include "reports/html/html_text.h"
 #include "reports/html/svg_dot_plot.h"
 #include "reports/numbers.h"
-#include "reports/study/literature.h"
 #include "reports/study/study_parts.h"
-#include "sim/explore/study/study_pages.h"
+#include "reports/study/study_plots.h"
+#include "sim/explore/bandwidth/bandwidth.h"
+#include "sim/explore/study/plan_parts.h"
 
 namespace cuesta {
 namespace html {
@@ -23,48 +25,19 @@ Where on_mobile(Where where) {
   return where;
 }
 
-std::optional<double> median_of(const StudyTable& table, const Where& where, const Quotient& quotient) {
-  const Spread found = spread(places_where(table, where),
-                              [&](const StudyPlace& place) { return value_of(table, place, quotient); });
-  return found.views == 0 ? std::nullopt : std::optional(found.median);
-}
-
-/// Plots of a number against the angle, a plot per map.
-std::string map_plots(const StudyTable& table, const Quotient& quotient, const std::string& depth,
-                      const std::string& size, const std::string& unit, bool logarithmic) {
-  std::string html = "<div class=\"grid wide\">";
-  for (const std::string& map : table.axis("map").values) {
-    LinePlot plot = lines_over(table, "angle", published(table), unit, false,
-                               [&](const std::string& algorithm, const std::string& angle) {
-                                 return median_of(table,
-                                                  on_mobile({{"map", map},
-                                                             {"size", size},
-                                                             {"depth", depth},
-                                                             {"angle", angle},
-                                                             {"algorithm", algorithm}}),
-                                                  quotient);
-                               });
-    plot.title = escape(map);
-    plot.remark = "against the angle, depth " + depth + ", " + size + " texels";
-    plot.logarithmic = logarithmic;
-    html += svg_line_plot(plot);
-  }
-  return html + "</div>";
-}
-
 std::string over_views(const StudyTable& table, const std::string& id, const Quotient& quotient,
                        const std::string& unit, bool logarithmic) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const std::string& depth : table.axis("depth").values) {
     for (const std::string& size : table.axis("size").values) {
-      panels.emplace_back("depth " + depth + ", " + size + " texels",
-                          map_plots(table, quotient, depth, size, unit, logarithmic));
+      panels.emplace_back(depth_and_size(depth, size),
+                          map_plots(table, quotient, depth, size, on_mobile({}), unit, logarithmic));
     }
   }
   return choice(id, panels);
 }
 
-/// What steps alone would not have told; every number from the data.
+/// Tells what steps alone would not have told; every number from the data.
 std::string surprises_section(const StudyTable& table) {
   auto spread_of = [&](std::string_view algorithm, std::string_view base, std::string_view counter,
                        Where where, Angles angles) {
@@ -158,7 +131,7 @@ std::string size_section(const StudyTable& table) {
       html + "</div>");
 }
 
-/// Compulsory, read, and without a cache, of each algorithm in one view.
+/// Draws the bytes of each algorithm in one view: compulsory, read, and without a cache.
 std::string ends_plot(const StudyTable& table, const Where& view, const std::string& title) {
   DotPlot plot;
   plot.title = title;
@@ -253,8 +226,9 @@ std::string machines_section(const StudyTable& table) {
   }
   return study_section(
       "Two machines, and frames per second",
-      "A frame is the picture of 256 x 128 rays, all of which hit, at the preset's clock. Starved: "
-      "share of the pipes' cycles in which every context waited for memory.",
+      fmt::format("A frame is the picture of {} x {} rays, all of which hit, at the preset's clock. Starved: "
+                  "share of the pipes' cycles in which every context waited for memory.",
+                  kViewWidth, kViewHeight),
       choice("machines", panels));
 }
 
@@ -267,7 +241,7 @@ std::string bandwidth_headline(const StudyData& data) {
   const Spread front = spread_against(table, "yun2013", "oh2006", "cycles", on_mobile({}), kFront);
   const Spread grazing = spread_against(table, "yun2013", "oh2006", "cycles", on_mobile({}), kGrazing);
   const Spread bytes = spread_against(table, "yun2013", "oh2006", "dram_read_bytes", on_mobile({}), kGrazing);
-  if (front.views == 0 || grazing.views == 0) return "The study was ended before it could say anything.";
+  if (front.views == 0 || grazing.views == 0) return kEndedTooEarly;
   const std::vector<std::string>& sizes = table.axis("size").values;
   const auto small =
       median_of(table, on_mobile({{"size", sizes.front()}, {"algorithm", "yun2013"}}), kHitRate);
@@ -294,9 +268,10 @@ std::string bandwidth_page(const StudyData& data) {
               "Machine cycles over rays, mobile; the axis is logarithmic. Set-up lets in one ray in four "
               "cycles: no schedule is below that.",
               over_views(table, "cycles", kCyclesPerRay, "cycles/ray", true)) +
-          study_section("Bytes read from DRAM per ray",
-                        "Heights only; hit records add 32 bytes a ray for everybody.",
-                        over_views(table, "bytes", kReadPerRay, "B/ray", true)) +
+          study_section(
+              "Bytes read from DRAM per ray",
+              fmt::format("Heights only; hit records add {} bytes a ray for everybody.", kHitRecordBytes),
+              over_views(table, "bytes", kReadPerRay, "B/ray", true)) +
           size_section(table) + ends_section(table) + machines_section(table) +
           study_section("What the literature says, what we get, why they differ", "",
                         statements(statements_on_cycles(), table)) +

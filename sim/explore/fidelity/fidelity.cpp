@@ -1,16 +1,18 @@
 #include "sim/explore/fidelity/fidelity.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "models/common/error.h"
+#include "reports/numbers.h"
 #include "sim/config/architecture_file.h"
-#include "sim/explore/study/view_bench.h"
-#include "sim/machine/machine.h"
+#include "sim/explore/study/view_runner.h"
 
 namespace cuesta {
 namespace {
 
-/// "mobile height_l1.ways=1 ...": a preset and what is set.
+/// Makes the machine that "mobile height_l1.ways=1 ..." names: a preset and what is set.
 Architecture machine_of(const std::string& name) {
   std::vector<std::string> words;
   for (size_t start = 0; start < name.size();) {
@@ -21,7 +23,7 @@ Architecture machine_of(const std::string& name) {
   return resolve_architecture(words[0], {words.begin() + 1, words.end()}, true).architecture;
 }
 
-/// What a level says of the machine; as many as the counters of `kCounted`.
+/// Lists what a level says of the machine, in the order of `kCounted`.
 std::vector<int64_t> counted(const Outcome& outcome) {
   const Counters& counters = outcome.measurements.counters;
   auto sum = [&](const char* unit, const char* statistic) { return counters.sum(unit, statistic); };
@@ -55,10 +57,10 @@ constexpr Counted kCounted[] = {
     {"latency_median", "cycles", "Median over the rays, dispatch to completion"},
 };
 
-class FidelityBench : public ViewBench {
+class FidelityRunner : public ViewRunner {
  public:
-  FidelityBench(const StudyData& plan, std::span<const uint16_t> size_and_map)
-      : ViewBench(plan, size_and_map, picture_pixels(false)) {
+  FidelityRunner(const StudyData& plan, std::span<const uint16_t> size_and_map)
+      : ViewRunner(plan, size_and_map, picture_pixels(false)) {
     for (const std::string& name : plan.axes[axis_index(plan, "machine")].values)
       machines_.push_back(machine_of(name));
   }
@@ -67,14 +69,8 @@ class FidelityBench : public ViewBench {
     const Architecture& machine = machines_[place[axis_index(plan_, "machine")]];
     const Workload work = work_at(place, machine);
     const Outcome cycle = run_cycle(work, machine), loose = run_transaction(work, machine);
-    for (const auto& [level, outcome] :
-         {std::pair{Fidelity::kCycle, &cycle}, std::pair{Fidelity::kTransaction, &loose}}) {
-      const std::vector<std::string> broken = broken_laws(work, machine, level, *outcome);
-      if (!broken.empty()) {
-        throw Error(ExitCode::kMismatch,
-                    "The accounting of a case of the study breaks its laws; the first: " + broken.front());
-      }
-    }
+    check_laws(work, machine, Fidelity::kCycle, cycle);
+    check_laws(work, machine, Fidelity::kTransaction, loose);
     if (cycle.hits_digest != loose.hits_digest) {
       throw Error(ExitCode::kMismatch,
                   "Fidelity transaction and cycle differ in hits or steps on " + value(place, "map") + ".");
@@ -96,25 +92,22 @@ class FidelityBench : public ViewBench {
   std::vector<Architecture> machines_;
 };
 
-}  // namespace
+constexpr std::string_view kName = "fidelity";
 
-StudyData fidelity_plan(bool quick) {
-  StudyData plan;
-  plan.study = "fidelity";
-  plan.question = "What does each level of fidelity get wrong, and what does it cost in time?";
-  plan.amount = quick ? "quick" : "published";
+StudyData make_plan(bool quick) {
+  StudyData plan =
+      begin_plan(kName, "What does each level of fidelity get wrong, and what does it cost in time?", quick);
   plan.conditions = view_conditions();
-  plan.conditions.push_back(
-      "Error: a level's count over that of fidelity cycle, less one; cycle and the Verilated RTL agree cycle "
-      "by cycle "
-      "(`cuesta verify rtl`), so that the error of both is 0.");
-  plan.conditions.push_back(
-      "All 32,768 rays of the picture are traced; cold caches. Nothing in fidelity transaction is "
-      "fitted to these cases or to any others.");
-  plan.conditions.push_back(
-      "Functional has no time and no cache. The most that it can say of cycles is a bound: one step a cycle "
-      "and "
-      "pipeline, and one ray an interval of set-up; of traffic: the bytes without a cache.");
+  add_conditions(
+      plan,
+      {"Error: a level's count over that of fidelity cycle, less one; cycle and the Verilated RTL agree "
+       "cycle "
+       "by cycle (`cuesta verify rtl`), so that the error of both is 0.",
+       fmt::format("All {} rays of the picture are traced; cold caches. Nothing in fidelity transaction is "
+                   "fitted to these cases or to any others.",
+                   grouped(kViewWidth * kViewHeight)),
+       "Functional has no time and no cache. The most that it can say of cycles is a bound: one step a cycle "
+       "and pipeline, and one ray an interval of set-up; of traffic: the bytes without a cache."});
   if (!quick) plan.conditions.push_back("dda is left out on maps of 1024 texels, where it takes longest.");
   const StudyAxis machines{
       "machine",
@@ -156,13 +149,21 @@ StudyData fidelity_plan(bool quick) {
   return plan;
 }
 
-bool fidelity_planned(const StudyData& plan, const StudyPlace& place) {
+bool is_planned(const StudyData& plan, const StudyPlace& place) {
   return !is_at(plan, place, "algorithm", "dda") || number_at(plan, place, "size") <= 256;
 }
 
-std::unique_ptr<StudyBench> make_fidelity_bench(const StudyData& plan,
-                                                std::span<const uint16_t> size_and_map) {
-  return std::make_unique<FidelityBench>(plan, size_and_map);
+}  // namespace
+
+Study fidelity_study() {
+  return {.name = kName,
+          .plan = make_plan,
+          .planned = is_planned,
+          .make_runner = make_case_runner<FidelityRunner>,
+          .page = fidelity_page,
+          .headline = fidelity_headline,
+          .times = fidelity_times,
+          .timed_page = fidelity_timed_page};
 }
 
 }  // namespace cuesta

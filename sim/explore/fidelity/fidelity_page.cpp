@@ -2,22 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "reports/html/html_text.h"
 #include "reports/html/svg_dot_plot.h"
+#include "reports/html/svg_line_plot.h"
 #include "reports/numbers.h"
 #include "reports/study/study_parts.h"
-#include "sim/explore/study/study_pages.h"
+#include "sim/explore/fidelity/fidelity.h"
 
 namespace cuesta {
 namespace html {
 namespace {
 
-using Error = std::function<std::optional<double>(const StudyPlace&)>;
-
-/// A level's count over cycle's, less one, in per cent, without its sign. Where cycle counted nothing there is none.
-Error error_of(const StudyTable& table, std::string of, std::string truth) {
+/// Reads a level's count over cycle's, less one, in per cent, without its sign; none where cycle counted nothing.
+ReadPlace error_of(const StudyTable& table, std::string of, std::string truth) {
   return [&table, of = std::move(of),
           truth = std::move(truth)](const StudyPlace& place) -> std::optional<double> {
     const auto ratio = table.ratio(place, of, truth);
@@ -25,11 +23,11 @@ Error error_of(const StudyTable& table, std::string of, std::string truth) {
   };
 }
 
-Error unit_error(const StudyTable& table, const std::string& what) {
+ReadPlace unit_error(const StudyTable& table, const std::string& what) {
   return error_of(table, "transaction_" + what, "cycle_" + what);
 }
 
-Error functional_error(const StudyTable& table, bool cycles) {
+ReadPlace functional_error(const StudyTable& table, bool cycles) {
   return cycles ? error_of(table, "bound_cycles", "cycle_cycles")
                 : error_of(table, "texel_bytes", "cycle_dram_read_bytes");
 }
@@ -40,7 +38,7 @@ struct Errors {
   StudyPlace worst_at;
 };
 
-Errors errors(const std::vector<StudyPlace>& places, const Error& error) {
+Errors errors(const std::vector<StudyPlace>& places, const ReadPlace& error) {
   std::vector<double> values;
   Errors found;
   for (const StudyPlace& place : places) {
@@ -58,11 +56,7 @@ Errors errors(const std::vector<StudyPlace>& places, const Error& error) {
   return found;
 }
 
-std::string percent(double value) {
-  return (value == 0 ? "0" : significant(value, value < 1 ? 2 : 3)) + " %";
-}
-
-/// "mobile height_l1.ways=1" without the sections' names: "mobile ways=1".
+/// Leaves the sections' names out: "mobile height_l1.ways=1" is "mobile ways=1".
 std::string short_name(const std::string& machine) {
   std::string name;
   size_t word = 0;
@@ -93,9 +87,11 @@ std::string error_plot(const StudyTable& table, const std::string& what, const s
   for (const std::string& value : table.axis(axis).values) {
     const Errors of = errors(places_where(table, {{axis, value}}), unit_error(table, what));
     if (of.cases == 0) continue;
-    auto tip = [&](const char* name, double error) { return value + "\n" + name + ": " + percent(error); };
+    auto tip = [&](const char* name, double error) {
+      return value + "\n" + name + ": " + percent_text(error);
+    };
     plot.rows.push_back({axis == "machine" ? short_name(value) : value,
-                         percent(of.median),
+                         percent_text(of.median),
                          {{"s7", of.worst, tip("worst", of.worst), ""},
                           {"s1", of.p90, tip("nine tenths are below", of.p90), ""},
                           {"s0", of.median, tip("median", of.median), ""}}});
@@ -112,12 +108,17 @@ const TimedRun* time_of(const StudyTimes& times, const std::string& machine, con
 
 std::string levels_section(const StudyTable& table) {
   const std::vector<StudyPlace> all = places_where(table, {});
-  const auto row = [&](const char* level, const Error& cycles, const Error& bytes, const char* why) {
+  const auto row = [&](const char* level, const ReadPlace& cycles, const ReadPlace& bytes, const char* why) {
     const Errors c = errors(all, cycles), b = errors(all, bytes);
-    return std::vector<std::string>{
-        level, "the same", percent(c.median), percent(c.worst), percent(b.median), percent(b.worst), why};
+    return std::vector<std::string>{level,
+                                    "the same",
+                                    percent_text(c.median),
+                                    percent_text(c.worst),
+                                    percent_text(b.median),
+                                    percent_text(b.worst),
+                                    why};
   };
-  const Error none = [](const StudyPlace&) { return std::optional(0.0); };
+  const ReadPlace none = [](const StudyPlace&) { return std::optional(0.0); };
   return study_section("What each level gets wrong",
                        "Hits, steps and addresses are the same bits on every level. Error of machine.cycles "
                        "and of the bytes read from "
@@ -161,8 +162,8 @@ std::string units_section(const StudyTable& table) {
     }
     const Errors of = errors(heard, unit_error(table, unit.counter));
     if (of.cases == 0) continue;
-    rows.push_back({unit.unit, unit.what, std::to_string(of.cases), percent(of.median), percent(of.p90),
-                    percent(of.worst), escape(case_name(table, of.worst_at))});
+    rows.push_back({unit.unit, unit.what, std::to_string(of.cases), percent_text(of.median),
+                    percent_text(of.p90), percent_text(of.worst), escape(case_name(table, of.worst_at))});
   }
   return study_section(
       "Transaction against cycle, unit by unit",
@@ -172,7 +173,7 @@ std::string units_section(const StudyTable& table) {
 }
 
 std::string worst_section(const StudyTable& table) {
-  const Error error = unit_error(table, "cycles");
+  const ReadPlace error = unit_error(table, "cycles");
   std::vector<std::pair<double, StudyPlace>> all;
   for (const StudyPlace& place : places_where(table, {})) all.emplace_back(error(place).value_or(0), place);
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
@@ -185,7 +186,7 @@ std::string worst_section(const StudyTable& table) {
     };
     const auto starved = table.ratio(place, "cycle_starved_cycles", "cycle_cycles");
     rows.push_back({escape(case_name(table, place)), change("cycles"), change("dram_read_bytes"),
-                    change("l1_merges"), percent(100 * starved.value_or(0))});
+                    change("l1_merges"), percent_text(100 * starved.value_or(0))});
   }
   return study_section(
       "Where the estimate is worst",
@@ -194,7 +195,7 @@ std::string worst_section(const StudyTable& table) {
       with_firm_spaces(plain_table({"case", "cycles", "bytes read", "merges", "all wait"}, rows)));
 }
 
-/// Error against wall time: a point per level; the axes' ends are in their texts.
+/// Draws error against wall time, a point per level; the axes' ends are in their texts.
 std::string cost_plot(const StudyTable& table, const StudyTimes& times, const std::string& machine) {
   const std::vector<StudyPlace> cases = places_where(table, {{"machine", machine}});
   struct Point {
@@ -236,7 +237,7 @@ std::string cost_plot(const StudyTable& table, const StudyTimes& times, const st
     Line line{placed[k].point->level, fmt::format("s{}", k), {}, {}};
     for (size_t j = 0; j < placed.size(); ++j) {
       line.values.push_back(j == k ? placed[k].point->error : NAN);
-      line.texts.push_back(j == k ? percent(placed[k].point->error) : "");
+      line.texts.push_back(j == k ? percent_text(placed[k].point->error) : "");
     }
     plot.remark += (k == 0 ? "" : ", ") + std::string(placed[k].point->level);
     plot.lines.push_back(std::move(line));
@@ -269,10 +270,11 @@ std::string times_section(const StudyTable& table, const StudyTimes& times) {
     }
   }
   const std::string measured =
-      "Measured on " + times.host + " (" + times.processor + "), " + times.date + ", load average " +
-      times.load + ", " + times.build + ". " + times.frame +
-      " Waves: of the first 20,000 cycles of one pipeline. Wall times are of that host and hour; the "
-      "ratios were taken in one run.";
+      measured_sentences(times) +
+      fmt::format(
+          " Waves: of the first {} cycles of one pipeline. Wall times are of that host and hour; the "
+          "ratios were taken in one run.",
+          grouped(kFidelityWaveCycles));
   return study_section(
       "What each level costs in wall time", escape(measured),
       plots + "</div>" +
@@ -313,13 +315,14 @@ std::string fidelity_headline(const StudyData& data) {
   const Errors cycles = errors(all, unit_error(table, "cycles")),
                bytes = errors(all, unit_error(table, "dram_read_bytes"));
   const Errors bound = errors(all, functional_error(table, true));
-  if (cycles.cases == 0) return "The study was ended before it could say anything.";
+  if (cycles.cases == 0) return kEndedTooEarly;
   return fmt::format(
       "Fidelity transaction finds the cycles of a frame to {} (median; worst {}) and its DRAM bytes to {} "
       "(worst {}) over {} "
       "runs on {} machines; what functional alone says, one step a cycle, is {} off (worst {}).",
-      percent(cycles.median), percent(cycles.worst), percent(bytes.median), percent(bytes.worst),
-      cycles.cases, table.axis("machine").values.size(), percent(bound.median), percent(bound.worst));
+      percent_text(cycles.median), percent_text(cycles.worst), percent_text(bytes.median),
+      percent_text(bytes.worst), cycles.cases, table.axis("machine").values.size(),
+      percent_text(bound.median), percent_text(bound.worst));
 }
 
 std::string fidelity_page(const StudyData& data) { return html::page(data, nullptr); }

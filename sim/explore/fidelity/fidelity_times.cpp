@@ -16,7 +16,6 @@
 namespace cuesta {
 namespace {
 
-constexpr Cycle kWaveCycles = 20'000;
 constexpr const char* kAlgorithm = "yun2013";
 
 /// One level over one frame. Throws Error(kMismatch) when it finds other hits than `hits`, which the first level sets.
@@ -74,7 +73,7 @@ StudyTimes fidelity_times(bool quick, const StudyProgress& progress) {
     add("rtl", [&] { return run_cycle(work, hardware); });
     add("rtl with waves", [&] {
       CycleHooks hooks;
-      hooks.waves = {waves.string(), 0, 0, kWaveCycles - 1};
+      hooks.waves = {waves.string(), 0, 0, kFidelityWaveCycles - 1};
       return run_cycle_detailed(work, hardware, {}, hooks, nullptr);
     });
   }

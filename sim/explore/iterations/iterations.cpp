@@ -1,17 +1,23 @@
 #include "sim/explore/iterations/iterations.h"
-#include "models/work/step_source.h"
+
+#include <fmt/format.h>
 
 #include <numeric>
 
 #include "models/common/statistics.h"
-#include "sim/explore/study/view_bench.h"
+#include "models/work/step_source.h"
+#include "reports/numbers.h"
+#include "sim/explore/study/view_runner.h"
 
 namespace cuesta {
 namespace {
 
+constexpr std::string_view kName = "iterations";
 constexpr int kLineBytes = 64;
+// dda is left out where it takes longest: on larger maps at larger angles.
+constexpr int kDdaMostTexels = 1024, kDdaMostDegrees = 60;
 
-/// Which of many have been seen.
+/// Remembers which of many have been seen.
 class Seen {
  public:
   explicit Seen(uint64_t all) : words_(all / 64 + 1, 0) {}
@@ -27,15 +33,15 @@ class Seen {
   std::vector<uint64_t> words_;
 };
 
-class IterationsBench : public ViewBench {
+class IterationsRunner : public ViewRunner {
  public:
-  IterationsBench(const StudyData& plan, std::span<const uint16_t> size_and_map)
-      : ViewBench(plan, size_and_map, picture_pixels(true)), order_(pixels_.size()) {
+  IterationsRunner(const StudyData& plan, std::span<const uint16_t> size_and_map)
+      : ViewRunner(plan, size_and_map, picture_pixels(true)), order_(pixels_.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
   }
 
   std::vector<int64_t> run(const StudyPlace& place) override {
-    const Workload work = work_at(place, {});
+    const Workload work = work_at(place);
     const TexelLayout layout(TexelLayoutKind::kRowMajor, pyramid_);
     // The source's lines are texels here: their numbers give lines of any size.
     StepSource source(work, layout, pyramid_.texel_bytes(), order_);
@@ -75,32 +81,25 @@ class IterationsBench : public ViewBench {
   std::vector<HitRecord> records_;
 };
 
-}  // namespace
-
-StudyData iterations_plan(bool quick) {
-  StudyData plan;
-  plan.study = "iterations";
-  plan.question = "Which traversal algorithm takes how many steps, and when?";
-  plan.amount = quick ? "quick" : "published";
+StudyData make_plan(bool quick) {
+  StudyData plan = begin_plan(kName, "Which traversal algorithm takes how many steps, and when?", quick);
   plan.conditions = view_conditions();
-  plan.conditions.push_back(
-      "Of the picture's warps of 8 x 4 pixels one in four is traced, evenly spread: 8,192 rays a case. The "
-      "counts are "
-      "exact for these rays and the same on every host; the mean over the whole picture differs by a few per "
-      "cent at "
-      "most.");
-  plan.conditions.push_back("Fidelity: functional; no time, no cache.");
-  plan.conditions.push_back(
-      "dda is left out where it takes longest: beyond 60 degrees on maps larger than 1024 texels.");
+  add_conditions(
+      plan,
+      {fmt::format("Of the picture's warps of {} x {} pixels one in four is traced, evenly spread: {} rays a "
+                   "case. The counts are exact for these rays and the same on every host; the mean over the "
+                   "whole picture differs by a few per cent at most.",
+                   kWarpWidth, kWarpHeight, grouped(static_cast<int64_t>(picture_pixels(true).size()))),
+       "Fidelity: functional; no time, no cache.",
+       fmt::format("dda is left out where it takes longest: beyond {} degrees on maps larger than {} texels.",
+                   kDdaMostDegrees, kDdaMostTexels)});
   if (quick) {
     plan.axes = {size_axis({"64", "128"}), map_axis({"fractal", "spikes"}), depth_axis({"0.05", "0.35"}),
                  angle_axis({"10", "75"}), algorithm_axis(study_algorithms())};
   } else {
-    plan.axes = {
-        size_axis({"256", "512", "1024", "2048", "4096"}),
-        map_axis({"fractal", "rocks", "text", "spikes", "hawaii", "rockbump", "logo", "noise", "terraces"}),
-        depth_axis({"0.05", "0.35"}), angle_axis({"0", "10", "30", "50", "60", "75", "86", "88"}),
-        algorithm_axis(study_algorithms())};
+    plan.axes = {size_axis({"256", "512", "1024", "2048", "4096"}), map_axis(study_maps()),
+                 depth_axis({"0.05", "0.35"}), angle_axis({"0", "10", "30", "50", "60", "75", "86", "88"}),
+                 algorithm_axis(study_algorithms())};
   }
   plan.counters = {
       {"rays", "rays", "Rays traced; all of them hit."},
@@ -108,23 +107,29 @@ StudyData iterations_plan(bool quick) {
       {"steps_median", "steps", "Median over the rays (the lower one)."},
       {"steps_p99", "steps", "99th percentile over the rays."},
       {"steps_max", "steps", "The longest ray's."},
-      {"simt_slots", "steps",
-       "Steps of warps of 8 x 4 neighbouring pixels in which every lane waits for the longest."},
+      simt_counter(),
       {"fetches", "texels", "Pyramid texels read."},
       {"unique_texels", "texels", "Different pyramid texels among them, over the whole picture."},
-      {"unique_lines", "lines", "Different lines of 64 bytes that hold them (layout row_major)."},
+      {"unique_lines", "lines",
+       fmt::format("Different lines of {} bytes that hold them (layout row_major).", kLineBytes)},
   };
   return plan;
 }
 
-bool iterations_planned(const StudyData& plan, const StudyPlace& place) {
-  return !is_at(plan, place, "algorithm", "dda") || number_at(plan, place, "size") <= 1024 ||
-         number_at(plan, place, "angle") <= 60;
+bool is_planned(const StudyData& plan, const StudyPlace& place) {
+  return !is_at(plan, place, "algorithm", "dda") || number_at(plan, place, "size") <= kDdaMostTexels ||
+         number_at(plan, place, "angle") <= kDdaMostDegrees;
 }
 
-std::unique_ptr<StudyBench> make_iterations_bench(const StudyData& plan,
-                                                  std::span<const uint16_t> size_and_map) {
-  return std::make_unique<IterationsBench>(plan, size_and_map);
+}  // namespace
+
+Study iterations_study() {
+  return {.name = kName,
+          .plan = make_plan,
+          .planned = is_planned,
+          .make_runner = make_case_runner<IterationsRunner>,
+          .page = iterations_page,
+          .headline = iterations_headline};
 }
 
 }  // namespace cuesta

@@ -1,13 +1,23 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "reports/study/literature.h"
 #include "sim/explore/study/study.h"
 
 namespace cuesta {
 
-/// How many steps, and how unlike each other, does each schedule take? Functional; no time.
-StudyData iterations_plan(bool quick);
-bool iterations_planned(const StudyData& plan, const StudyPlace& place);
-std::unique_ptr<StudyBench> make_iterations_bench(const StudyData& plan,
-                                                  std::span<const uint16_t> size_and_map);
+/// Asks how many steps, and how unlike each other, each schedule takes; functional, without time.
+Study iterations_study();
+
+// Its page, for the plan's file and for tests.
+std::string iterations_page(const StudyData& data);
+std::string iterations_headline(const StudyData& data);
+
+namespace html {
+/// What the literature says of steps.
+const std::vector<Statement>& statements_on_steps();
+}  // namespace html
 
 }  // namespace cuesta

@@ -4,9 +4,10 @@
 #include "reports/html/html_text.h"
 #include "reports/html/svg_bar_plot.h"
 #include "reports/numbers.h"
-#include "reports/study/literature.h"
 #include "reports/study/study_parts.h"
-#include "sim/explore/study/study_pages.h"
+#include "reports/study/study_plots.h"
+#include "sim/explore/iterations/iterations.h"
+#include "sim/explore/study/plan_parts.h"
 
 namespace cuesta {
 namespace html {
@@ -15,37 +16,12 @@ namespace {
 constexpr Quotient kStepsPerRay{"steps", "rays"};
 constexpr Quotient kSimt{"steps", "simt_slots", 100};
 
-std::string depth_and_size(const std::string& depth, const std::string& size) {
-  return "depth " + depth + ", " + size + " texels";
-}
-
-/// A plot per map: a number over the angle.
-std::string map_plots(const StudyTable& table, const Quotient& quotient, const std::string& depth,
-                      const std::string& size, const std::string& unit, bool logarithmic) {
-  std::string html = "<div class=\"grid wide\">";
-  for (const std::string& map : table.axis("map").values) {
-    LinePlot plot = lines_over(
-        table, "angle", published(table), unit, false,
-        [&](const std::string& algorithm, const std::string& angle) {
-          const auto at = places_where(
-              table,
-              {{"map", map}, {"size", size}, {"depth", depth}, {"angle", angle}, {"algorithm", algorithm}});
-          return at.empty() ? std::nullopt : value_of(table, at.front(), quotient);
-        });
-    plot.title = escape(map);
-    plot.remark = "against the angle, " + depth_and_size(depth, size);
-    plot.logarithmic = logarithmic;
-    html += svg_line_plot(plot);
-  }
-  return html + "</div>";
-}
-
 std::string steps_section(const StudyTable& table) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const std::string& depth : table.axis("depth").values) {
     for (const std::string& size : some_values(table.axis("size"), 3)) {
       panels.emplace_back(depth_and_size(depth, size),
-                          map_plots(table, kStepsPerRay, depth, size, "steps/ray", true));
+                          map_plots(table, kStepsPerRay, depth, size, {}, "steps/ray", true));
     }
   }
   return study_section(
@@ -69,7 +45,7 @@ std::string ratio_section(const StudyTable& table) {
                        choice("ratio", panels));
 }
 
-/// What one would not have guessed; every number from the data.
+/// Tells what one would not have guessed; every number from the data.
 std::string surprises_section(const StudyTable& table) {
   std::string html = "<ul class=\"prose\">";
   const Wins noise =
@@ -135,11 +111,9 @@ std::string growth_section(const StudyTable& table) {
       LinePlot plot = lines_over(
           table, "size", published(table), "steps/ray", true,
           [&](const std::string& algorithm, const std::string& size) {
-            const Spread found = spread(
-                places_where(table,
-                             {{"size", size}, {"depth", depth}, {"angle", angle}, {"algorithm", algorithm}}),
-                [&](const StudyPlace& place) { return value_of(table, place, kStepsPerRay); });
-            return found.views == 0 ? std::nullopt : std::optional(found.median);
+            return median_of(table,
+                             {{"size", size}, {"depth", depth}, {"angle", angle}, {"algorithm", algorithm}},
+                             kStepsPerRay);
           });
       plot.title = angle + "°";
       plot.remark = "median over the maps, against the map's side (logarithmic)";
@@ -194,22 +168,20 @@ std::string parts_section(const StudyTable& table) {
 std::string simt_section(const StudyTable& table) {
   std::string html = "<div class=\"grid wide\">";
   for (const std::string& depth : table.axis("depth").values) {
-    LinePlot plot =
-        lines_over(table, "angle", published(table), "%", false,
-                   [&](const std::string& algorithm, const std::string& angle) {
-                     const Spread found = spread(
-                         places_where(table, {{"depth", depth}, {"angle", angle}, {"algorithm", algorithm}}),
-                         [&](const StudyPlace& place) { return value_of(table, place, kSimt); });
-                     return found.views == 0 ? std::nullopt : std::optional(found.median);
-                   });
+    LinePlot plot = lines_over(
+        table, "angle", published(table), "%", false,
+        [&](const std::string& algorithm, const std::string& angle) {
+          return median_of(table, {{"depth", depth}, {"angle", angle}, {"algorithm", algorithm}}, kSimt);
+        });
     plot.title = "SIMT efficiency, depth " + escape(depth);
     plot.remark = "median over maps and sizes, against the angle";
     html += svg_line_plot(plot);
   }
   return study_section(
       "On a programmable GPU",
-      "Warps of 8 x 4 neighbouring pixels: mean over longest ray of the warp. The steps that a warp "
-      "waits for decide, not those that it takes.",
+      fmt::format("Warps of {} x {} neighbouring pixels: mean over longest ray of the warp. The steps that a "
+                  "warp waits for decide, not those that it takes.",
+                  kWarpWidth, kWarpHeight),
       html + "</div>" + "<h3>Warp steps against oh2006</h3><br>" +
           median_table(
               table, "angle", table.axis("algorithm").values, {},
@@ -261,7 +233,7 @@ std::string iterations_headline(const StudyData& data) {
   const StudyTable table(data);
   const Spread front = spread_against(table, "yun2013", "oh2006", "steps", {}, kFront);
   const Spread grazing = spread_against(table, "yun2013", "oh2006", "steps", {}, kGrazing);
-  if (front.views == 0 || grazing.views == 0) return "The study was ended before it could say anything.";
+  if (front.views == 0 || grazing.views == 0) return kEndedTooEarly;
   const Wins all = wins(table, "steps", {}, kAnyAngle);
   std::string winners;
   for (const auto& [algorithm, views] : all.alone) {

@@ -1,5 +1,7 @@
 #include "sim/explore/precision/precision.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -12,19 +14,23 @@
 #include "models/heightmap/generator.h"
 #include "models/rays/hit_time.h"
 #include "models/traversal/traversal.h"
-#include "sim/explore/study/view_bench.h"
+#include "sim/explore/study/plan_parts.h"
 
 namespace cuesta {
 namespace {
 
+using namespace precision;
+
+constexpr std::string_view kName = "precision";
 constexpr int kReliefSide = 256;
 constexpr int kRays = 512;  // of a case
 constexpr double kDepth = 0.1;
-constexpr int kTileBits = 4;
 constexpr int kErrorBits = 40;  // fraction bits of an error in height LSBs, before it is rounded for the file
-constexpr double kParts = 65536;  // of a height LSB and of a texel, in the file
 
-/// "f8/M+4/D32", "double", "float", the first two also with "/half" for half-precision heights.
+/// The finest grid on which a ray can enter.
+constexpr NumberFormat kFinest = {12, 32, 12, kTileBits};
+
+/// What a value of the axis `format` stands for.
 struct Format {
   Arithmetic arithmetic = Arithmetic::kFixed;
   NumberFormat number;
@@ -41,10 +47,10 @@ int number_after(const std::string& name, const char* key) {
 
 Format format_of(const std::string& name, int bits) {
   Format format;
-  format.half_heights = name.ends_with("/half");
+  format.half_heights = name.ends_with(kHalf);
   if (name.starts_with("double") || name.starts_with("float")) {
     format.arithmetic = name.starts_with("double") ? Arithmetic::kDouble : Arithmetic::kFloat;
-    format.number = {12, 32, 12, kTileBits};  // the finest grid on which a ray can enter
+    format.number = kFinest;
   } else {
     format.number = {number_after(name, "f"), number_after(name, "D"), bits + number_after(name, "M+"),
                      kTileBits};
@@ -52,7 +58,7 @@ Format format_of(const std::string& name, int bits) {
   return format;
 }
 
-/// The relief of a small map in texels of 1 / scale: the same picture at every size.
+/// Repeats the texels of a small map `scale` times along both sides: the same relief in finer texels.
 HeightGrid magnified(const HeightGrid& small, int scale) {
   HeightGrid grid;
   grid.width = small.width * scale;
@@ -67,14 +73,14 @@ HeightGrid magnified(const HeightGrid& small, int scale) {
   return grid;
 }
 
-/// v = whole * 2^exponent.
+/// Splits v = whole * 2^exponent.
 std::pair<int64_t, int> as_dyadic(double v) {
   int exponent = 0;
   const auto whole = static_cast<int64_t>(std::ldexp(std::frexp(v, &exponent), 53));
   return {whole, exponent - 53};
 }
 
-/// When a record says that its ray has hit, in units of the traced ray's t.
+/// Gives when a record says that its ray has hit, in units of the traced ray's t.
 ExactTime<BigInt> found_time(const HitRecord& record, const Format& format, int exponent) {
   const NumberFormat& number = format.number;
   ExactTime<BigInt> t{BigInt(record.t), machine_units_of(number, exponent)};
@@ -86,7 +92,7 @@ ExactTime<BigInt> found_time(const HitRecord& record, const Format& format, int 
   return t;
 }
 
-/// How far apart two times are along a ray, as a difference in height: height LSBs.
+/// Measures how far apart two times are along a ray, as a difference in height: height LSBs.
 double height_between(const ExactRay<BigInt>& ray, const ExactTime<BigInt>& a, const ExactTime<BigInt>& b) {
   BigInt apart = BigInt(a.num * b.den) - BigInt(b.num * a.den);
   if (apart < 0) apart = -apart;
@@ -96,7 +102,7 @@ double height_between(const ExactRay<BigInt>& ray, const ExactTime<BigInt>& a, c
   return std::ldexp(static_cast<double>(static_cast<int64_t>(parts < most ? parts : most)), -kErrorBits);
 }
 
-/// Largest, 99th percentile, root mean square, in parts.
+/// Gives the largest, the 99th percentile and the root mean square, in parts.
 std::array<int64_t, 3> spread_of(const std::vector<double>& errors) {
   if (errors.empty()) return {0, 0, 0};
   std::vector<int64_t> parts;
@@ -110,9 +116,9 @@ std::array<int64_t, 3> spread_of(const std::vector<double>& errors) {
           std::llround(std::sqrt(squares / static_cast<double>(errors.size())) * kParts)};
 }
 
-class PrecisionBench : public StudyBench {
+class PrecisionRunner : public CaseRunner {
  public:
-  PrecisionBench(const StudyData& plan, std::span<const uint16_t> size_and_bits) : plan_(plan) {
+  PrecisionRunner(const StudyData& plan, std::span<const uint16_t> size_and_bits) : plan_(plan) {
     StudyPlace place(size_and_bits.begin(), size_and_bits.end());
     const int side = static_cast<int>(number_at(plan, place, "size"));
     const int bits = static_cast<int>(number_at(plan, place, "bits"));
@@ -190,7 +196,7 @@ class PrecisionBench : public StudyBench {
     double texels_per_lsb = 0;  ///< along the ray
   };
 
-  /// The rays of the place's angle and what they truly hit, once for all formats.
+  /// Makes the rays of the place's angle and finds what they truly hit, once for all formats.
   void make_rays(const StudyPlace& place) {
     const double degrees = number_at(plan_, place, "angle");
     if (degrees == degrees_) return;
@@ -211,7 +217,7 @@ class PrecisionBench : public StudyBench {
       d[2] = -elementary::cos(angle) / kDepth;
       ray.texels_per_lsb = std::sqrt(d[0] * d[0] + d[1] * d[1]) * map_.width /
                            (-d[2] * static_cast<double>(map_.full_scale()));
-      const auto exact = exact_traced_ray(ray.traced, map_, {12, 32, 12, kTileBits}, false);
+      const auto exact = exact_traced_ray(ray.traced, map_, kFinest, false);
       if (!exact) throw Error(ExitCode::kMismatch, "A ray of study precision has no exact form.");
       ray.exact = *exact;
       ray.truth = exact_skipping_walk(ray.exact, levels_);
@@ -242,22 +248,103 @@ class PrecisionBench : public StudyBench {
 };
 
 std::vector<std::string> formats(bool quick) {
-  std::vector<std::string> names = {"double", "float", "double/half", "f8/M+4/D32/half"};
+  std::vector<std::string> names = {"double", "float", std::string("double") + kHalf,
+                                    default_format() + kHalf};
   if (quick) {
-    for (const char* name : {"f8/M+0/D32", "f8/M+2/D32", "f8/M+4/D32", "f4/M+4/D16"}) names.push_back(name);
+    for (const int m : {0, 2, 4}) names.push_back(fixed_format(8, m, 32));
+    names.push_back(fixed_format(4, 4, 16));
     return names;
   }
-  for (const int f : {4, 6, 8, 10, 12}) {
-    for (const int m : {0, 2, 4, 6, 8}) {
-      for (const int d : {16, 20, 24, 28, 32}) {
-        names.push_back("f" + std::to_string(f) + "/M+" + std::to_string(m) + "/D" + std::to_string(d));
-      }
+  for (const int f : kFractionBits) {
+    for (const int m : kMantissaBits) {
+      for (const int d : kDirectionBits) names.push_back(fixed_format(f, m, d));
     }
   }
   return names;
 }
 
+StudyData make_plan(bool quick) {
+  StudyData plan = begin_plan(
+      kName, "How far from the truth does each format of numbers put a hit, and how narrow may one be?",
+      quick);
+  plan.conditions = {
+      "Truth: what the ray as traced hits, in rational arithmetic, before anything is rounded. A format's "
+      "hit is held against it end to end: the ray's quantisation, its reciprocals, the traversal.",
+      fmt::format(
+          "Rays: {} a case, random in place and azimuth, from the top of the slab, on an endless plane "
+          "of tiles (wrap), {} tiles deep: every ray truly hits. An axis-aligned or otherwise special "
+          "ray is not among them.",
+          kRays, kDepth),
+      fmt::format("Map: the generator's fractal of {0} x {0} texels, seed 1, every texel repeated size / {0} "
+                  "times along both sides: the same relief in ever finer texels.",
+                  kReliefSide),
+      "An error is how far along the ray a hit lies from the true place. In the true cell: of a hit on a "
+      "texel's top as a difference in height, of one on its wall as a distance in the plane. A hit in "
+      "another cell may be as near: it has strayed if it is more than a height LSB and more than a texel "
+      "away.",
+      fmt::format("Fixed point: f fraction bits of places, M bits of a reciprocal's mantissa, D bits of the "
+                  "largest direction component, w2 = {}. Times have T = max(n + w2, B) + f + M bits (2^n "
+                  "texels a side). w2 is no matter of precision: a ray crosses at most 2^w2 tiles, and each "
+                  "bit more is a bit of T once n + w2 > B.",
+                  kTileBits),
+      fmt::format("double and float traverse the ray on the finest grid that can enter, f = {} and D = {}. "
+                  "Half heights: texels are stored in IEEE half precision, as fractions of 2^B, so that "
+                  "heights to 11 bits are exact; the error is against the map as it was. A height that would "
+                  "be rounded above full scale is stored as the largest below.",
+                  kFinest.fraction_bits, kFinest.direction_bits)};
+  plan.axes = {
+      {"size", "texels", "Side of the square map.",
+       quick ? std::vector<std::string>{"256"} : std::vector<std::string>{"256", "1024", "4096", "16384"}},
+      {"bits", "bits", "B, of a height.",
+       quick ? std::vector<std::string>{"8"} : std::vector<std::string>{"8", "16"}},
+      {"angle", "degrees", "Between the rays and the surface's normal.",
+       quick ? std::vector<std::string>{"30", "86"}
+             : std::vector<std::string>{"0", "30", "60", "75", "86", "89"}},
+      {"format", "",
+       "What traversal computes with: f8/M+4/D32 is fixed point with f = 8, M = B + 4, D = 32; /half: "
+       "half-precision heights.",
+       formats(quick)}};
+  const std::string lsb_parts = fmt::format("height LSB / {}", kParts),
+                    texel_parts = fmt::format("texels / {}", kParts);
+  plan.counters = {
+      {"rays", "rays", "Rays traced; all of them truly hit."},
+      {"same_cell", "rays", "Rays that hit the true cell."},
+      {"earlier", "rays", "Rays that hit another cell, before the true hit."},
+      {"later", "rays", "Rays that hit another cell, behind the true hit."},
+      {"missed", "rays", "Rays that miss."},
+      {"strayed", "rays",
+       "Rays that hit more than 1 height LSB and more than 1 texel away from the true place."},
+      {"height_max", lsb_parts,
+       "Of all rays that hit, in whatever cell, along the ray, as a "
+       "difference in height: the largest error."},
+      {"height_p99", lsb_parts, "Of these, the 99th percentile."},
+      {"texel_max", texel_parts, "Of these, in the plane of the map: the largest error."},
+      {"texel_p99", texel_parts, "Of these, the 99th percentile."},
+      {"top_rays", "rays", "Rays that hit the true cell on its top, as they truly do."},
+      {"top_max", lsb_parts, "Of these, along the ray, as a difference in height: the largest error."},
+      {"top_p99", lsb_parts, "Of these, the 99th percentile."},
+      {"top_rms", lsb_parts, "Of these, the root mean square."},
+      {"top_texel_max", texel_parts, "Of these, in the plane of the map: the largest error."},
+      {"wall_rays", "rays", "Rays that hit the true cell on a wall, as they truly do."},
+      {"wall_max", texel_parts, "Of these, along the ray, in the plane of the map: the largest error."},
+      {"wall_p99", texel_parts, "Of these, the 99th percentile."},
+      {"wall_rms", texel_parts, "Of these, the root mean square."},
+      {"wall_height_max", lsb_parts, "Of these, as a difference in height: the largest error."},
+  };
+  return plan;
+}
+
 }  // namespace
+
+namespace precision {
+
+std::string fixed_format(int fraction, int mantissa, int direction) {
+  return fmt::format("f{}/M+{}/D{}", fraction, mantissa, direction);
+}
+
+std::string default_format() { return fixed_format(8, 4, 32); }
+
+}  // namespace precision
 
 int64_t in_half_precision(int64_t height, int64_t full_scale) {
   const int extra = std::max(static_cast<int>(std::bit_width(static_cast<uint64_t>(height))) - 11, 0);
@@ -296,78 +383,12 @@ OracleHit<BigInt> exact_skipping_walk(const ExactRay<BigInt>& ray, std::span<con
   return {};
 }
 
-StudyData precision_plan(bool quick) {
-  StudyData plan;
-  plan.study = "precision";
-  plan.question = "How far from the truth does each format of numbers put a hit, and how narrow may one be?";
-  plan.amount = quick ? "quick" : "published";
-  plan.conditions = {
-      "Truth: what the ray as traced hits, in rational arithmetic, before anything is rounded. A format's "
-      "hit is "
-      "held against it end to end: the ray's quantisation, its reciprocals, the traversal.",
-      "Rays: 512 a case, random in place and azimuth, from the top of the slab, on an endless plane of tiles "
-      "(wrap), 0.1 tiles deep: every ray truly hits. An axis-aligned or otherwise special ray is not among "
-      "them.",
-      "Map: the generator's fractal of 256 x 256 texels, seed 1, every texel repeated size / 256 times along "
-      "both "
-      "sides: the same relief in ever finer texels.",
-      "An error is how far along the ray a hit lies from the true place. In the true cell: of a hit on a "
-      "texel's top as a difference in height, of one on its wall as a distance in the plane. A hit in "
-      "another "
-      "cell may be as near: it has strayed if it is more than a height LSB and more than a texel away.",
-      "Fixed point: f fraction bits of places, M bits of a reciprocal's mantissa, D bits of the largest "
-      "direction "
-      "component, w2 = 4. Times have T = max(n + w2, B) + f + M bits (2^n texels a side). w2 is no matter of "
-      "precision: a ray crosses at most 2^w2 tiles, and each bit more is a bit of T once n + w2 > B.",
-      "double and float traverse the ray on the finest grid that can enter, f = 12 and D = 32. Half heights: "
-      "texels are stored in IEEE half precision, as fractions of 2^B, so that heights to 11 bits are exact; "
-      "the "
-      "error is against the map as it was. A height that would be rounded above full scale is stored as the "
-      "largest below."};
-  plan.axes = {
-      {"size", "texels", "Side of the square map.",
-       quick ? std::vector<std::string>{"256"} : std::vector<std::string>{"256", "1024", "4096", "16384"}},
-      {"bits", "bits", "B, of a height.",
-       quick ? std::vector<std::string>{"8"} : std::vector<std::string>{"8", "16"}},
-      {"angle", "degrees", "Between the rays and the surface's normal.",
-       quick ? std::vector<std::string>{"30", "86"}
-             : std::vector<std::string>{"0", "30", "60", "75", "86", "89"}},
-      {"format", "",
-       "What traversal computes with: f8/M+4/D32 is fixed point with f = 8, M = B + 4, D = 32; /half: "
-       "half-precision heights.",
-       formats(quick)}};
-  plan.counters = {
-      {"rays", "rays", "Rays traced; all of them truly hit."},
-      {"same_cell", "rays", "Rays that hit the true cell."},
-      {"earlier", "rays", "Rays that hit another cell, before the true hit."},
-      {"later", "rays", "Rays that hit another cell, behind the true hit."},
-      {"missed", "rays", "Rays that miss."},
-      {"strayed", "rays",
-       "Rays that hit more than 1 height LSB and more than 1 texel away from the true place."},
-      {"height_max", "height LSB / 65536",
-       "Of all rays that hit, in whatever cell, along the ray, as a "
-       "difference in height: the largest error."},
-      {"height_p99", "height LSB / 65536", "Of these, the 99th percentile."},
-      {"texel_max", "texels / 65536", "Of these, in the plane of the map: the largest error."},
-      {"texel_p99", "texels / 65536", "Of these, the 99th percentile."},
-      {"top_rays", "rays", "Rays that hit the true cell on its top, as they truly do."},
-      {"top_max", "height LSB / 65536",
-       "Of these, along the ray, as a difference in height: the largest error."},
-      {"top_p99", "height LSB / 65536", "Of these, the 99th percentile."},
-      {"top_rms", "height LSB / 65536", "Of these, the root mean square."},
-      {"top_texel_max", "texels / 65536", "Of these, in the plane of the map: the largest error."},
-      {"wall_rays", "rays", "Rays that hit the true cell on a wall, as they truly do."},
-      {"wall_max", "texels / 65536", "Of these, along the ray, in the plane of the map: the largest error."},
-      {"wall_p99", "texels / 65536", "Of these, the 99th percentile."},
-      {"wall_rms", "texels / 65536", "Of these, the root mean square."},
-      {"wall_height_max", "height LSB / 65536", "Of these, as a difference in height: the largest error."},
-  };
-  return plan;
-}
-
-std::unique_ptr<StudyBench> make_precision_bench(const StudyData& plan,
-                                                 std::span<const uint16_t> size_and_bits) {
-  return std::make_unique<PrecisionBench>(plan, size_and_bits);
+Study precision_study() {
+  return {.name = kName,
+          .plan = make_plan,
+          .make_runner = make_case_runner<PrecisionRunner>,
+          .page = precision_page,
+          .headline = precision_headline};
 }
 
 }  // namespace cuesta

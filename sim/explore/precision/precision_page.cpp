@@ -8,44 +8,36 @@
 #include <span>
 
 #include "reports/html/html_text.h"
+#include "reports/html/svg_line_plot.h"
 #include "reports/numbers.h"
 #include "reports/study/literature.h"
 #include "reports/study/study_parts.h"
-#include "sim/explore/study/study_pages.h"
+#include "sim/explore/precision/precision.h"
 
 namespace cuesta {
 namespace html {
 namespace {
 
-constexpr double kParts = 65536;  // of a height LSB and of a texel
-constexpr int kTileBits = 4;
-constexpr int kMantissas[] = {0, 2, 4, 6, 8}, kFractions[] = {4, 6, 8, 10, 12},
-              kDirections[] = {16, 20, 24, 28, 32};
+using namespace precision;
+
+constexpr int kWidestF = 12, kWidestM = 8, kWidestD = 32;
 constexpr double kBounds[] = {0.5, 0.1, 0.05};
 
-std::string fixed_name(int fraction, int mantissa, int direction) {
-  return fmt::format("f{}/M+{}/D{}", fraction, mantissa, direction);
-}
-const std::string kDefault = fixed_name(8, 4, 32);
+const std::string kDefault = default_format();
 
-/// The largest of a counter over the cases, scaled; nullopt: no case.
+/// Takes the largest of a counter over the cases, scaled; nullopt: no case.
 std::optional<double> largest(const StudyTable& table, const Where& where, std::string_view counter) {
   std::optional<double> most;
   for (const StudyPlace& place : places_where(table, where)) {
-    const auto value = value_of(table, place, {counter, "", 1 / kParts});
+    const auto value = value_of(table, place, {counter, "", 1.0 / kParts});
     if (value) most = std::max(most.value_or(0), *value);
   }
   return most;
 }
 
-/// A counter in per cent of all rays of the cases.
-double share(const StudyTable& table, const Where& where, std::string_view counter) {
-  int64_t rays = 0, of = 0;
-  for (const StudyPlace& place : places_where(table, where)) {
-    rays += table.value(place, "rays").value_or(0);
-    of += table.value(place, counter).value_or(0);
-  }
-  return rays == 0 ? 0 : 100 * static_cast<double>(of) / static_cast<double>(rays);
+/// Gives a counter in per cent of all rays of the cases; 0 where there are none.
+double share(const StudyTable& table, const Where& where, const std::string& counter) {
+  return share_of_rays(table, places_where(table, where), {counter}).value_or(0);
 }
 
 std::string percent(double value) { return (value == 0 ? "0" : significant(value, 2)) + " %"; }
@@ -57,7 +49,7 @@ Where at(const std::string& size, const std::string& bits, const std::string& fo
   return {{"size", size}, {"bits", bits}, {"format", format}};
 }
 
-/// What one format does: heights, places, cells.
+/// Sums up what one format does: heights, places, cells.
 std::string summary(const StudyTable& table, const Where& where) {
   return fmt::format(
       "{} LSB<br>{} texels<br>{} other cell<br>{} strayed", number_text(largest(table, where, "top_max")),
@@ -70,10 +62,10 @@ std::string formats_section(const StudyTable& table) {
       {"double", "double"},
       {"float", "float"},
       {kDefault, "fixed, f = 8, M = B + 4, D = 32 (default)"},
-      {fixed_name(8, 2, 32), "fixed, M = B + 2"},
-      {fixed_name(8, 8, 32), "fixed, M = B + 8"},
-      {"double/half", "double, half heights"},
-      {kDefault + "/half", "fixed, default, half heights"}};
+      {fixed_format(8, 2, 32), "fixed, M = B + 2"},
+      {fixed_format(8, 8, 32), "fixed, M = B + 8"},
+      {std::string("double") + kHalf, "double, half heights"},
+      {kDefault + kHalf, "fixed, default, half heights"}};
   std::vector<std::pair<std::string, std::string>> panels;
   for (const std::string& bits : table.axis("bits").values) {
     std::vector<std::string> head{"format"};
@@ -96,8 +88,8 @@ std::string formats_section(const StudyTable& table) {
       choice("formats", panels));
 }
 
-/// The set of widths of least M + f + D whose largest error over all angles is within `bound`; "" : none. Of equals the
-/// one of least M.
+/// Finds the set of widths of least M + f + D whose largest error over all angles is within `bound`, of equals the one of
+/// least M; "none" where there is none.
 std::string narrowest(const StudyTable& table, const std::string& size, const std::string& bits,
                       std::string_view counter, double bound) {
   int n = 0, heights = 0;
@@ -107,10 +99,10 @@ std::string narrowest(const StudyTable& table, const std::string& size, const st
   while (1 << n < side) ++n;
   int least = std::numeric_limits<int>::max();
   std::string best;
-  for (const int m : kMantissas) {
-    for (const int f : kFractions) {
-      for (const int d : kDirections) {
-        const auto found = largest(table, at(size, bits, fixed_name(f, m, d)), counter);
+  for (const int m : kMantissaBits) {
+    for (const int f : kFractionBits) {
+      for (const int d : kDirectionBits) {
+        const auto found = largest(table, at(size, bits, fixed_format(f, m, d)), counter);
         if (!found || *found > bound || heights + m + f + d >= least) continue;
         least = heights + m + f + d;
         best = fmt::format("M=B+{}<br>f={} D={}<br>T={}", m, f, d,
@@ -121,11 +113,11 @@ std::string narrowest(const StudyTable& table, const std::string& size, const st
   return best.empty() ? "none" : best;
 }
 
-/// How many of the sets that `narrowest` looks for are in the data.
+/// Counts the sets that `narrowest` looks for in the data.
 size_t sets_of_widths(const StudyTable& table) {
   const std::vector<std::string>& formats = table.axis("format").values;
   return static_cast<size_t>(std::ranges::count_if(formats, [](const std::string& format) {
-    return format.starts_with("f") && format.find("/M+") != std::string::npos && !format.ends_with("/half");
+    return format.starts_with("f") && format.find("/M+") != std::string::npos && !format.ends_with(kHalf);
   }));
 }
 
@@ -144,19 +136,24 @@ std::string widths_section(const StudyTable& table) {
     }
   }
   const size_t sets = sets_of_widths(table);
+  constexpr size_t kAll = std::size(kFractionBits) * std::size(kMantissaBits) * std::size(kDirectionBits);
   const std::string of =
-      sets == 125 ? "Of the 125 sets of f = 4 to 12, M = B to B + 8 and D = 16 to 32 the one of fewest "
-                  : fmt::format("Of the {} sets of widths in these data the one of fewest ", sets);
+      sets == kAll
+          ? fmt::format(
+                "Of the {} sets of f = {} to {}, M = B to B + {} and D = {} to {} the one of "
+                "fewest ",
+                sets, *std::begin(kFractionBits), *std::rbegin(kFractionBits), *std::rbegin(kMantissaBits),
+                *std::begin(kDirectionBits), *std::rbegin(kDirectionBits))
+          : fmt::format("Of the {} sets of widths in these data the one of fewest ", sets);
   return study_section(
       "The smallest widths for an error",
-      of + "bits in all whose largest "
-           "error over all angles and rays in the true cell is within the bound; none: not even "
-           "the widest. T is what a "
-           "time takes, with w2 = 4.",
+      of + fmt::format("bits in all whose largest error over all angles and rays in the true cell is within "
+                       "the bound; none: not even the widest. T is what a time takes, with w2 = {}.",
+                       kTileBits),
       plain_table(head, rows));
 }
 
-/// A line per size: a counter's largest over all angles against one width.
+/// Draws a line per size: a counter's largest over all angles against one width.
 std::string width_plot(const StudyTable& table, const std::string& bits, std::string_view counter,
                        const std::string& title, const std::string& remark, const std::string& unit,
                        std::span<const int> widths, const std::string& label,
@@ -190,18 +187,18 @@ std::string width_plot(const StudyTable& table, const std::string& bits, std::st
 
 std::string plots_section(const StudyTable& table) {
   std::vector<std::pair<std::string, std::string>> panels;
-  const auto of_m = [](int width) { return fixed_name(12, width, 32); };
-  const auto of_f = [](int width) { return fixed_name(width, 8, 32); };
-  const auto of_d = [](int width) { return fixed_name(12, 8, width); };
+  const auto of_m = [](int width) { return fixed_format(kWidestF, width, kWidestD); };
+  const auto of_f = [](int width) { return fixed_format(width, kWidestM, kWidestD); };
+  const auto of_d = [](int width) { return fixed_format(kWidestF, kWidestM, width); };
   for (const std::string& bits : table.axis("bits").values) {
     const std::string plots = width_plot(table, bits, "top_max", "Heights against M", "tops; f = 12, D = 32",
-                                         "LSB", kMantissas, "B+", of_m) +
+                                         "LSB", kMantissaBits, "B+", of_m) +
                               width_plot(table, bits, "top_max", "Heights against D",
-                                         "tops; f = 12, M = B + 8", "LSB", kDirections, "D=", of_d) +
+                                         "tops; f = 12, M = B + 8", "LSB", kDirectionBits, "D=", of_d) +
                               width_plot(table, bits, "wall_max", "Places against M", "walls; f = 12, D = 32",
-                                         "texels", kMantissas, "B+", of_m) +
+                                         "texels", kMantissaBits, "B+", of_m) +
                               width_plot(table, bits, "wall_max", "Places against f",
-                                         "walls; M = B + 8, D = 32", "texels", kFractions, "f=", of_f);
+                                         "walls; M = B + 8, D = 32", "texels", kFractionBits, "f=", of_f);
     if (!plots.empty())
       panels.emplace_back(bits + "-bit heights", "<div class=\"grid wide\">" + plots + "</div>");
   }
@@ -245,7 +242,8 @@ std::string of_mantissa(const StudyTable& table, int mantissa) {
   for (const std::string& bits : table.axis("bits").values) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const std::string& size : table.axis("size").values) {
-      const auto value = largest(table, at(size, bits, fixed_name(12, mantissa, 32)), "top_max");
+      const auto value =
+          largest(table, at(size, bits, fixed_format(kWidestF, mantissa, kWidestD)), "top_max");
       if (!value) continue;
       least = std::min(least, *value);
       most = std::max(most, *value);
@@ -308,13 +306,14 @@ std::string precision_headline(const StudyData& data) {
   using namespace html;
   const StudyTable table(data);
   const auto top = largest(table, {{"format", kDefault}}, "top_p99");
-  if (!top) return "The study was ended before it could say anything.";
+  if (!top) return kEndedTooEarly;
   const std::vector<std::string>&sizes = table.axis("size").values, &bits = table.axis("bits").values;
   const auto walls = [&](const std::string& size) {
     return number_text(largest(table, at(size, bits.front(), kDefault), "wall_max"));
   };
+  const std::string double_half = std::string("double") + kHalf;
   const std::string half =
-      number_text(largest(table, {{"format", "double/half"}, {"bits", bits.back()}}, "top_max"));
+      number_text(largest(table, {{"format", double_half}, {"bits", bits.back()}}, "top_max"));
   const std::string single = number_text(largest(table, {{"format", "float"}}, "top_max"));
   if (sizes.size() == 1) {
     return fmt::format(

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <memory>
-#include <span>
+#include <string>
 
 #include "sim/explore/study/study.h"
 
 namespace cuesta {
 
-/// What is robustness worth? Exact traversals beside the codes as printed, in float with their faults.
-StudyData stability_plan(bool quick);
-std::unique_ptr<StudyBench> make_stability_bench(const StudyData& plan,
-                                                 std::span<const uint16_t> size_and_map);
-/// Wall times of the same view for every algorithm: what robustness costs the simulator itself.
-StudyTimes stability_times(bool quick, const StudyProgress& progress);
+/// Asks what robustness is worth: exact traversals beside the codes as printed, in float with their faults.
+Study stability_study();
+
+// Its page, for the plan's file and for tests.
+std::string stability_page(const StudyData& data);
+std::string stability_timed_page(const StudyData& data, const StudyTimes& times);
+std::string stability_headline(const StudyData& data);
 
 }  // namespace cuesta

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include "models/algorithms/schedule.h"
 #include "reports/html/html_text.h"
 #include "reports/html/svg_bar_plot.h"
 #include "reports/numbers.h"
 #include "reports/study/study_parts.h"
 #include "reports/study/view_times_section.h"
-#include "sim/explore/study/study_pages.h"
+#include "sim/explore/stability/stability.h"
+#include "sim/explore/study/ray_ends.h"
 
 namespace cuesta {
 namespace html {
@@ -14,84 +16,48 @@ namespace {
 constexpr const char* kExactOne = "yun2013";
 constexpr const char* kPrinted = "ki2007-printed";  // with the delta of half a texel that the paper suggests
 
-bool is_exact(const std::string& algorithm) {
-  return algorithm == "dda" || algorithm == "oh2006" || algorithm == "drobot2009" ||
-         algorithm == "tevs2008" || algorithm == kExactOne;
-}
+bool is_exact(const std::string& algorithm) { return parse_algorithm(algorithm).exact(); }
 
 bool is_printed(const std::string& algorithm) { return algorithm.find("-printed") != std::string::npos; }
 
-/// Rays of several verdicts over all rays of the cases that fulfil `where`, per cent; nullopt: no such case.
+/// Divides the rays of several counters by all rays of the cases that fulfil `where`, per cent; nullopt: no such case.
 std::optional<double> share(const StudyTable& table, const Where& where,
                             const std::vector<std::string>& counters) {
-  int64_t rays = 0, counted = 0;
-  for (const StudyPlace& place : places_where(table, where)) {
-    rays += table.value(place, "rays").value_or(0);
-    for (const std::string& counter : counters) counted += table.value(place, counter).value_or(0);
-  }
-  if (rays == 0) return std::nullopt;
-  return 100 * static_cast<double>(counted) / static_cast<double>(rays);
+  return share_of_rays(table, places_where(table, where), counters);
 }
 
-const std::vector<std::string> kWrong = {"missed", "behind", "wrong_cell"};
+const std::vector<std::string>& kWrong = wrong_counters();
 const std::vector<std::string> kFailed = {"missed", "behind", "wrong_cell", "nan", "unfinished"};
 
-std::string percentage(std::optional<double> value) {
-  if (!value) return "-";
-  return (*value == 0 ? "0" : significant(*value, *value < 1 ? 2 : 3)) + " %";
-}
-
-std::string share_table(const StudyTable& table, const std::string& axis, const Where& where,
+std::string share_table(const StudyTable& table, const std::string& axis,
                         const std::vector<std::string>& counters) {
-  const StudyAxis& columns = table.axis(axis);
-  std::vector<std::string> head = {"share of all rays"};
-  for (const std::string& value : columns.values)
-    head.push_back(value + (columns.unit == "degrees" ? "°" : ""));
-  std::vector<std::vector<std::string>> rows;
-  for (const std::string& algorithm : table.axis("algorithm").values) {
-    std::vector<std::string> row = {escape(algorithm)};
-    for (const std::string& value : columns.values) {
-      Where cell = where;
-      cell.emplace_back("algorithm", algorithm);
-      cell.emplace_back(axis, value);
-      row.push_back(percentage(share(table, cell, counters)));
-    }
-    rows.push_back(std::move(row));
-  }
-  return with_firm_spaces(plain_table(head, rows));
+  return with_firm_spaces(algorithm_table(table, "share of all rays", axis, table.axis("algorithm").values,
+                                          {}, [&](const std::vector<StudyPlace>& places) {
+                                            return percent_text(share_of_rays(table, places, counters));
+                                          }));
 }
 
 std::string failures_section(const StudyTable& table) {
-  const std::pair<const char*, const char*> kParts[] = {
-      {"exact", "work"},  {"tie", "f1-1"}, {"wrong_cell", "f0-1"}, {"behind", "f0-3"},
-      {"missed", "f2-2"}, {"nan", "f0-4"}, {"unfinished", "f2-4"}};
-  const char* const kMeanings[] = {"the true cell",
-                                   "right if touching counts",
-                                   "another cell, too early",
-                                   "another cell, too late",
-                                   "no hit where there is one",
-                                   "became NaN",
-                                   "had not ended at the cap of steps"};
+  constexpr RayEnd kEnds[] = {kExactEnd,
+                              kTieEnd,
+                              kWrongCellEnd,
+                              kBehindEnd,
+                              kMissedEnd,
+                              {"nan", "f0-4", "became NaN"},
+                              {"unfinished", "f2-4", "had not ended at the cap of steps"}};
   BarPlot plot;
   plot.title = "How rays end";
   plot.remark = "share of all rays, over all maps, depths, angles and turns";
   plot.full = 100;
-  for (size_t k = 0; k < std::size(kParts); ++k)
-    plot.legend.push_back({kParts[k].second, kParts[k].first, kMeanings[k]});
-  for (const std::string& algorithm : table.axis("algorithm").values) {
-    Bar bar{algorithm,
-            percentage(share(table, {{"algorithm", algorithm}}, kFailed)) + " fail",
-            {},
-            is_exact(algorithm)};
-    for (size_t k = 0; k < std::size(kParts); ++k) {
-      const auto part = share(table, {{"algorithm", algorithm}}, {kParts[k].first});
-      if (!part) continue;
-      bar.segments.push_back(
-          {kParts[k].second, *part,
-           fmt::format("{}\n{}: {}\n{}", algorithm, kParts[k].first, percentage(part), kMeanings[k]), ""});
-    }
-    plot.bars.push_back(std::move(bar));
-  }
+  add_ray_ends(
+      table, kEnds, percent_text,
+      [&](const std::string& algorithm) {
+        return Bar{algorithm,
+                   percent_text(share(table, {{"algorithm", algorithm}}, kFailed)) + " fail",
+                   {},
+                   is_exact(algorithm)};
+      },
+      plot);
   return study_section("Robust against printed", "", svg_bar_plot(plot));
 }
 
@@ -99,9 +65,9 @@ std::string rates_section(const StudyTable& table) {
   std::vector<std::pair<std::string, std::string>> panels;
   for (const auto& [axis, name] :
        {std::pair{"angle", "by angle"}, std::pair{"turn", "by turn"}, std::pair{"map", "by map"}}) {
-    panels.emplace_back(std::string("wrong, ") + name, share_table(table, axis, {}, kWrong));
-    panels.emplace_back(std::string("NaN, ") + name, share_table(table, axis, {}, {"nan"}));
-    panels.emplace_back(std::string("never end, ") + name, share_table(table, axis, {}, {"unfinished"}));
+    panels.emplace_back(std::string("wrong, ") + name, share_table(table, axis, kWrong));
+    panels.emplace_back(std::string("NaN, ") + name, share_table(table, axis, {"nan"}));
+    panels.emplace_back(std::string("never end, ") + name, share_table(table, axis, {"unfinished"}));
   }
   return study_section(
       "Wrong, NaN, endless",
@@ -110,7 +76,7 @@ std::string rates_section(const StudyTable& table) {
       choice("rates", panels));
 }
 
-/// Steps of all rays against those of another algorithm on the same rays.
+/// Counts the steps of a ray of every algorithm, by angle.
 std::string steps_section(const StudyTable& table) {
   const StudyAxis& angles = table.axis("angle");
   std::vector<std::string> head = {"steps of all rays"};
@@ -139,7 +105,7 @@ std::string steps_section(const StudyTable& table) {
       with_firm_spaces(plain_table(head, rows)));
 }
 
-/// The rays that fail of the worst column of an axis: "86°: 3.1 %".
+/// Finds the angle at which most rays end so: "3.1 % at 86°".
 std::string worst_of(const StudyTable& table, const std::string& algorithm,
                      const std::vector<std::string>& counters) {
   const StudyAxis& angles = table.axis("angle");
@@ -152,7 +118,7 @@ std::string worst_of(const StudyTable& table, const std::string& algorithm,
       where = angle;
     }
   }
-  return worst < 0 ? "-" : fmt::format("{} at {}°", percentage(worst), where);
+  return worst < 0 ? "-" : fmt::format("{} at {}°", percent_text(worst), where);
 }
 
 std::string beside_section(const StudyTable& table) {
@@ -175,7 +141,8 @@ std::string beside_section(const StudyTable& table) {
   for (const Earlier& one : all) {
     std::vector<std::string> row = {one.what, one.prototype, one.algorithm};
     for (const std::string& angle : angles.values)
-      row.push_back(percentage(share(table, {{"algorithm", one.algorithm}, {"angle", angle}}, one.counters)));
+      row.push_back(
+          percent_text(share(table, {{"algorithm", one.algorithm}, {"angle", angle}}, one.counters)));
     rows.push_back(std::move(row));
   }
   return study_section("Beside earlier figures",
@@ -187,22 +154,15 @@ std::string page(const StudyData& data, const StudyTimes* times) {
   const StudyTable table(data);
   std::string timed;
   if (times != nullptr) {
-    timed = view_times_section(table, *times,
-                               {"What robustness costs in wall time", kExactOne,
-                                [](const std::string& algorithm) {
-                                  return is_exact(algorithm)     ? std::string("exact")
-                                         : is_printed(algorithm) ? algorithm.substr(0, algorithm.find(':'))
-                                                                 : algorithm;
-                                },
-                                [&](const StudyPlace& place) -> std::optional<double> {
-                                  const auto rays = table.value(place, "rays");
-                                  if (!rays || *rays == 0) return std::nullopt;
-                                  int64_t failed = 0;
-                                  for (const std::string& counter : kFailed)
-                                    failed += table.value(place, counter).value_or(0);
-                                  return 100 * static_cast<double>(failed) / static_cast<double>(*rays);
-                                },
-                                "rays that fail"});
+    timed = view_times_section(
+        table, *times,
+        {"What robustness costs in wall time", kExactOne,
+         [](const std::string& algorithm) {
+           return is_exact(algorithm)     ? std::string("exact")
+                  : is_printed(algorithm) ? algorithm.substr(0, algorithm.find(':'))
+                                          : algorithm;
+         },
+         [&](const StudyPlace& place) { return share_of_rays(table, {place}, kFailed); }, "rays that fail"});
   }
   return study_shell(data, stability_headline(data),
                      failures_section(table) + rates_section(table) + steps_section(table) + timed +
@@ -224,8 +184,7 @@ std::string stability_headline(const StudyData& data) {
     }
   }
   const Where printed = {{"algorithm", kPrinted}};
-  if (rays == 0 || !share(table, printed, kFailed))
-    return "The study was ended before it could say anything.";
+  if (rays == 0 || !share(table, printed, kFailed)) return kEndedTooEarly;
   return fmt::format(
       "Of {} rays of exact schedules {} became NaN or failed to end, and {} differ from the truth, by the "
       "rounding of "
@@ -233,10 +192,10 @@ std::string stability_headline(const StudyData& data) {
       "{}): {} "
       "wrong, {} NaN, {} endless.",
       grouped(rays), lost == 0 ? "none" : grouped(lost),
-      percentage(share(table, {{"algorithm", kExactOne}}, kWrong)),
-      percentage(share(table, printed, kFailed)), worst_of(table, kPrinted, kFailed),
-      percentage(share(table, printed, kWrong)), percentage(share(table, printed, {"nan"})),
-      percentage(share(table, printed, {"unfinished"})));
+      percent_text(share(table, {{"algorithm", kExactOne}}, kWrong)),
+      percent_text(share(table, printed, kFailed)), worst_of(table, kPrinted, kFailed),
+      percent_text(share(table, printed, kWrong)), percent_text(share(table, printed, {"nan"})),
+      percent_text(share(table, printed, {"unfinished"})));
 }
 
 std::string stability_page(const StudyData& data) { return html::page(data, nullptr); }

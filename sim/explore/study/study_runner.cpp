@@ -20,7 +20,7 @@ bool next_place(const StudyData& plan, StudyPlace& place) {
   return false;
 }
 
-/// Places that share a bench; taken whole by one worker.
+/// Places that share a runner; taken whole by one worker.
 struct Batch {
   size_t first, end;
 };
@@ -40,7 +40,7 @@ std::vector<Batch> batches_of(const Study& study, const std::vector<StudyPlace>&
   return batches;
 }
 
-/// The cases of an earlier study by their place in this plan; places that this plan does not have are left out.
+/// Finds the cases of an earlier study by their place in this plan; places that this plan does not have are left out.
 std::map<StudyPlace, const StudyCase*> known_places(const StudyData& plan, const StudyData& earlier) {
   auto same = [](const auto& a, const auto& b) { return a.name == b.name; };
   const bool fits =
@@ -128,7 +128,7 @@ class Work {
     return true;
   }
 
-  /// False: no more cases are wanted.
+  /// Takes a case's counts; false: no more cases are wanted.
   bool finish(size_t place, std::vector<int64_t> counts) {
     const std::lock_guard lock(mutex_);
     counts_[place] = std::move(counts);
@@ -137,10 +137,10 @@ class Work {
   }
 
   void run_batch(const Batch& batch) {
-    const auto bench = study_.make_bench(plan_, std::span(places_[batch.first]).first(study_.shared_axes));
+    const auto runner = study_.make_runner(plan_, std::span(places_[batch.first]).first(study_.shared_axes));
     for (size_t k = batch.first; k < batch.end; ++k) {
       // Only this worker writes the batch's counts.
-      if (counts_[k].empty() && !finish(k, bench->run(places_[k]))) return;
+      if (counts_[k].empty() && !finish(k, runner->run(places_[k]))) return;
     }
   }
 
@@ -199,8 +199,8 @@ std::vector<StudyCase> run_cases(const Study& study, const StudyData& plan,
                                  const std::vector<StudyPlace>& places) {
   std::vector<StudyCase> cases;
   for (const Batch& batch : batches_of(study, places)) {
-    const auto bench = study.make_bench(plan, std::span(places[batch.first]).first(study.shared_axes));
-    for (size_t k = batch.first; k < batch.end; ++k) cases.push_back({places[k], bench->run(places[k])});
+    const auto runner = study.make_runner(plan, std::span(places[batch.first]).first(study.shared_axes));
+    for (size_t k = batch.first; k < batch.end; ++k) cases.push_back({places[k], runner->run(places[k])});
   }
   return cases;
 }

@@ -7,7 +7,7 @@
 
 namespace cuesta {
 
-/// Every planned place, the last axis fastest.
+/// Lists every planned place, the last axis fastest.
 std::vector<StudyPlace> planned_places(const Study& study, const StudyData& plan);
 
 /// Runs every planned case on `workers` threads (1 to 64). The data do not depend on their number. Ended early, it

@@ -1,30 +1,30 @@
 #include "sim/explore/study/view_times.h"
-#include "models/work/functional_run.h"
 
 #include <algorithm>
 
 #include "models/common/error.h"
+#include "models/work/functional_run.h"
 #include "sim/config/architecture_file.h"
-#include "sim/explore/study/view_bench.h"
+#include "sim/explore/study/view_runner.h"
 #include "sim/explore/study/wall_times.h"
 
 namespace cuesta {
 namespace {
 
-/// The value to look at on an axis: `wanted` where the plan has it, else the last one.
+/// Picks the value to look at on an axis: `wanted` where the plan has it, else the last one.
 uint16_t index_of(const StudyAxis& axis, std::string_view wanted) {
   const auto found = std::find(axis.values.begin(), axis.values.end(), wanted);
   return static_cast<uint16_t>((found == axis.values.end() ? axis.values.end() - 1 : found) -
                                axis.values.begin());
 }
 
-class Timer : public ViewBench {
+class Timer : public ViewRunner {
  public:
   Timer(const StudyData& plan, const StudyPlace& view)
-      : ViewBench(plan, std::span(view).first(2), picture_pixels(false)),
+      : ViewRunner(plan, std::span(view).first(2), picture_pixels(false)),
         architecture_(resolve_architecture("mobile", {}, true).architecture) {}
 
-  /// Not for cases: what counts here is how long they take.
+  /// Runs no case for its counts: what counts here is how long it takes.
   std::vector<int64_t> run(const StudyPlace&) override { return {}; }
 
   void add(const StudyPlace& place, std::vector<TimedRun>& runs) {

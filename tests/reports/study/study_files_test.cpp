@@ -2,6 +2,7 @@
 
 #include "models/common/error.h"
 #include "reports/study/study_readme.h"
+#include "reports/study/study_times.h"
 #include "tests/reports/study/example_study.h"
 
 namespace cuesta {
@@ -77,6 +78,27 @@ TEST(StudyFiles, APartialStudySaysKOfN) {
   const std::string text = study_readme(data, "Answer.");
   EXPECT_NE(text.find("11 of 20 cases (partial"), std::string::npos) << text;
   EXPECT_NE(text.find("cuesta study iterations --force"), std::string::npos) << text;
+}
+
+TEST(StudyFiles, WallTimesReadBackTheSameAndOthersAreRefusedByName) {
+  StudyTimes times{"host", "processor", "2001-02-03", "0.1", "-O3", "A frame.", {}, {}};
+  times.view = {{"size", "256"}, {"angle", "75"}};
+  times.runs = {{"", "dda", "map", 2.7988e-05, 0, 0}, {"mobile", "dda", "cycle", 0.1 + 0.2, 32768, 4822523}};
+  const std::string text = times_json(times);
+  EXPECT_EQ(times_json(parse_times_json(text, "times.json")), text);
+  EXPECT_EQ(parse_times_json(text, "times.json").runs.at(1).seconds, 0.1 + 0.2);
+  std::string older = text;
+  older.replace(older.find("times-2"), 7, "times-1");
+  for (const std::string& wrong : {older, text.substr(0, text.size() / 2), std::string("{}")}) {
+    try {
+      parse_times_json(wrong, "some/times.json");
+      FAIL() << wrong;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::kInput);
+      EXPECT_NE(std::string(error.what()).find("some/times.json does not hold the wall times"),
+                std::string::npos);
+    }
+  }
 }
 
 }  // namespace

@@ -10,9 +10,7 @@
 #include "models/heightmap/generator.h"
 #include "models/heightmap/pyramid.h"
 #include "reports/study/study_data.h"
-#include "sim/explore/study/study_pages.h"
 #include "sim/explore/study/study_runner.h"
-#include "sim/explore/study/view_bench.h"
 
 namespace cuesta {
 namespace {
@@ -54,9 +52,9 @@ TEST(ExactSkippingWalk, FindsWhatTheLeafWalkFinds) {
 
 TEST(PrecisionPage, OfASingleSizeComparesItWithNoOtherAndHasNoEmptySection) {
   const auto data_of = [](bool quick, size_t most_sizes) {
-    StudyData data = precision_plan(quick);
+    const Study study = precision_study();
+    StudyData data = study.plan(quick);
     data.axes[0].values.resize(std::min(most_sizes, data.axes[0].values.size()));
-    const Study& study = find_study("precision");
     for (const StudyPlace& place : planned_places(study, data))
       data.cases.push_back({place, std::vector<int64_t>(data.counters.size(), 6554 * (1 + place[0]))});
     data.planned = data.cases.size();

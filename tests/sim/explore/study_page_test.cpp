@@ -2,7 +2,7 @@
 
 #include "reports/html/svg_line_plot.h"
 #include "reports/study/study_parts.h"
-#include "sim/explore/study/study_pages.h"
+#include "sim/explore/iterations/iterations.h"
 #include "tests/reports/study/example_study.h"
 
 namespace cuesta {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <set>
 
 #include "models/common/error.h"
@@ -9,14 +10,14 @@
 #include "models/traversal/traversal.h"
 #include "sim/config/on_architecture.h"
 #include "sim/explore/study/study_runner.h"
-#include "sim/explore/study/view_bench.h"
+#include "sim/explore/study/view_runner.h"
 #include "sim/machine/machine.h"
 
 namespace cuesta {
 namespace {
 
 /// A study whose cases count themselves: place a, b -> 100 a + b.
-class CountingBench : public StudyBench {
+class CountingRunner : public CaseRunner {
  public:
   std::vector<int64_t> run(const StudyPlace& place) override {
     if (place[0] == fail_at) throw input_error("case " + std::to_string(place[0]) + " is broken");
@@ -25,22 +26,20 @@ class CountingBench : public StudyBench {
   static inline std::atomic<int> fail_at = -1;
 };
 
-const Study kCounting{
-    "counting",
-    [](bool) {
-      StudyData plan;
-      plan.study = "counting";
-      plan.axes = {{"a", "", "", {"p", "q", "r", "s"}}, {"b", "units", "", {"1", "2.5", "3"}}};
-      plan.counters = {{"count", "cases", ""}};
-      return plan;
-    },
-    1,
-    [](const StudyData&, const StudyPlace& place) { return !(place[0] == 2 && place[1] == 1); },
-    [](const StudyData&, std::span<const uint16_t>) -> std::unique_ptr<StudyBench> {
-      return std::make_unique<CountingBench>();
-    },
-    nullptr,
-    nullptr};
+const Study kCounting = {
+    .name = "counting",
+    .plan =
+        [](bool quick) {
+          StudyData plan = begin_plan("counting", "How many?", quick);
+          plan.axes = {{"a", "", "", {"p", "q", "r", "s"}}, {"b", "units", "", {"1", "2.5", "3"}}};
+          plan.counters = {{"count", "cases", ""}};
+          return plan;
+        },
+    .shared_axes = 1,
+    .planned = [](const StudyData&, const StudyPlace& place) { return !(place[0] == 2 && place[1] == 1); },
+    .make_runner = [](const StudyData&, std::span<const uint16_t>) -> std::unique_ptr<CaseRunner> {
+      return std::make_unique<CountingRunner>();
+    }};
 
 TEST(StudyRunner, RunsEveryPlannedCaseOnceInTheOrderOfTheAxes) {
   const StudyData data = run_study(kCounting, false, 3);
@@ -78,9 +77,9 @@ TEST(StudyRunner, FinishedCasesAreTakenOverAndTheRestIsRun) {
 }
 
 TEST(StudyRunner, AFaultInACaseReachesTheCaller) {
-  CountingBench::fail_at = 1;
+  CountingRunner::fail_at = 1;
   EXPECT_THROW(run_study(kCounting, false, 2), Error);
-  CountingBench::fail_at = -1;
+  CountingRunner::fail_at = -1;
   EXPECT_THROW(run_study(kCounting, false, 0), Error);
 }
 
@@ -173,6 +172,27 @@ TEST(Iterations, TheSampleOfWarpsStandsForThePicture) {
     const StudyCase sample = run_cases(steps, a, {{1, 0, 0, angle, 1}}).at(0);
     const StudyCase whole = run_cases(cycles, b, {{1, 0, 0, angle, 0, 0}}).at(0);
     EXPECT_NEAR(per_ray(a, sample) / per_ray(b, whole), 1, 0.03) << angle;
+  }
+}
+
+TEST(Studies, EveryFolderWithAPageHasItsRow) {
+  std::set<std::string> pages, names;
+  for (const auto& folder : std::filesystem::directory_iterator("sim/explore")) {
+    const std::string name = folder.path().filename().string();
+    if (std::filesystem::exists(folder.path() / (name + "_page.cpp"))) pages.insert(name);
+  }
+  for (const Study& study : studies()) names.emplace(study.name);
+  EXPECT_EQ(pages, names);
+}
+
+TEST(Studies, PlanAndRunnerAgreeInNamesAndNumberOfCounts) {
+  for (const Study& study : studies()) {
+    const StudyData plan = study.plan(true);
+    EXPECT_EQ(plan.study, study.name);
+    const std::vector<StudyPlace> places = planned_places(study, plan);
+    ASSERT_FALSE(places.empty()) << study.name;
+    const StudyCase first = run_cases(study, plan, {places.front()}).at(0);
+    EXPECT_EQ(first.values.size(), plan.counters.size()) << study.name;
   }
 }
 
