@@ -21,12 +21,12 @@ Value times(Value a, double b) { return a && b > 0 ? Value(*a * b) : std::nullop
 
 constexpr std::array kRules = {
     Rule{{"machine.clock_hz", "cycles/s", "Clock of the machine, as configured."},
-         [](const RunEntry& run) { return known(1e6 * run.machine.clock_mhz); }},
+         [](const RunEntry& run) { return known(1e6 * static_cast<double>(run.machine.clock_mhz())); }},
     Rule{{"machine.seconds", "s", "Simulated time: the machine's cycles at its configured clock."},
          [](const RunEntry& run) -> Value {
            const Value cycles = quantity(run, "machine.cycles");
-           return cycles && run.machine.clock_mhz > 0 ? Value(*cycles / (1e6 * run.machine.clock_mhz))
-                                                      : std::nullopt;
+           const auto mhz = static_cast<double>(run.machine.clock_mhz());
+           return cycles && mhz > 0 ? Value(*cycles / (1e6 * mhz)) : std::nullopt;
          }},
     Rule{{"dram.bytes", "bytes", "Bytes read from and written to DRAM."},
          [](const RunEntry& run) -> Value {
@@ -45,16 +45,16 @@ constexpr std::array kRules = {
           "theoretical peak."},
          [](const RunEntry& run) {
            const MachineFacts& machine = run.machine;
-           return times(quantity(run, "machine.cycles"),
-                        static_cast<double>(machine.dram_peak_bytes_num) /
-                            static_cast<double>(machine.dram_peak_bytes_den));
+           return times(quantity(run, "machine.cycles"), static_cast<double>(machine.dram_peak_bytes()) /
+                                                             static_cast<double>(machine.dram_peak_cycles()));
          }},
     Rule{{"height_l1.compulsory_bytes", "bytes",
           "Bytes of the distinct lines that were touched, each fetched once per pipeline: no private L1 of "
           "this "
           "line size can fetch less."},
          [](const RunEntry& run) {
-           return times(quantity(run, "height_l1.unique_lines"), run.machine.line_bytes);
+           return times(quantity(run, "height_l1.unique_lines"),
+                        static_cast<double>(run.machine.line_bytes()));
          }},
 };
 

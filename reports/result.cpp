@@ -24,6 +24,20 @@ std::string stem_without_number(const Result& result, const RunEntry& run) {
 
 }  // namespace
 
+int64_t MachineFacts::at(std::string_view path, int64_t absent) const {
+  const auto row = std::find_if(parameters.begin(), parameters.end(),
+                                [&](const ParameterRow& one) { return one.path == path; });
+  return row == parameters.end() ? absent : row->value;
+}
+
+int64_t MachineFacts::pipelines() const { return at("machine.pipelines", 1); }
+int64_t MachineFacts::clock_mhz() const { return at("machine.clock_mhz"); }
+int64_t MachineFacts::line_bytes() const { return at("height_l1.line_bytes"); }
+int64_t MachineFacts::dram_peak_bytes() const {
+  return at("dram.channels") * at("dram.bus_bytes") * at("dram.clock_num");
+}
+int64_t MachineFacts::dram_peak_cycles() const { return at("dram.clock_den", 1); }
+
 std::string label_of(const Result& result, const RunEntry& run) {
   std::string label = run.algorithm;
   if (varies(result, &RunEntry::architecture)) label += " " + run.architecture;

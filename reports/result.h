@@ -21,14 +21,27 @@ struct Input {
   std::string sha256;  ///< 64 hexadecimal digits, of the file's bytes
 };
 
-/// What derived quantities need of the architecture. 0 means "does not apply": nothing derived is shown.
+/// A parameter of the machine that a run used.
+struct ParameterRow {
+  std::string path;  ///< "height_l1.line_bytes"
+  int64_t value = 0;
+  std::string unit;  ///< "bytes"; empty for a plain number or a choice
+};
+
+/// The resolved parameters that a run used, in the order of `cuesta list parameters`. Reports take from them by path;
+/// 0 means "does not apply", and nothing derived from it is shown.
 struct MachineFacts {
-  int pipelines = 1;
-  int clock_mhz = 0;                ///< 0 where the fidelity has no time
-  int line_bytes = 0;               ///< of the height L1
-  int texel_bytes = 0;              ///< one height fetch
-  int64_t dram_peak_bytes_num = 0;  ///< peak bytes per machine cycle, all channels, as a fraction
-  int64_t dram_peak_bytes_den = 1;
+  std::vector<ParameterRow> parameters;
+  int texel_bytes = 0;  ///< one height fetch: of the map, not of the machine
+
+  /// Gives a parameter's value, or `absent` where the run did not use it.
+  int64_t at(std::string_view path, int64_t absent = 0) const;
+
+  int64_t pipelines() const;         ///< 1 where it is not known
+  int64_t clock_mhz() const;         ///< 0 where the fidelity has no time
+  int64_t line_bytes() const;        ///< of the height L1
+  int64_t dram_peak_bytes() const;   ///< that all channels can carry in dram_peak_cycles() machine cycles
+  int64_t dram_peak_cycles() const;  ///< 1 where there is no DRAM
 };
 
 /// One run of one algorithm on one machine.

@@ -24,11 +24,11 @@ Json inputs_of(const Result& result) {
 }
 
 Json machine_of(const MachineFacts& machine) {
-  return {{"pipelines", machine.pipelines},
-          {"clock_mhz", machine.clock_mhz},
-          {"line_bytes", machine.line_bytes},
+  return {{"pipelines", machine.pipelines()},
+          {"clock_mhz", machine.clock_mhz()},
+          {"line_bytes", machine.line_bytes()},
           {"texel_bytes", machine.texel_bytes},
-          {"dram_peak_bytes_per_cycle", {machine.dram_peak_bytes_num, machine.dram_peak_bytes_den}}};
+          {"dram_peak_bytes_per_cycle", {machine.dram_peak_bytes(), machine.dram_peak_cycles()}}};
 }
 
 Json counters_of(const Counters& counters) {

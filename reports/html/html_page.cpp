@@ -32,9 +32,9 @@ std::string facts_line(const Result& result) {
   };
   std::string line = fmt::format("{} fidelity", varies(&RunEntry::fidelity) ? "several" : run.fidelity);
   line += varies(&RunEntry::architecture) ? ", several architectures" : ", architecture " + run.architecture;
-  if (!varies(&RunEntry::architecture) && run.machine.clock_mhz > 0) {
-    line += fmt::format(" ({} pipeline{} at {} MHz)", run.machine.pipelines,
-                        run.machine.pipelines == 1 ? "" : "s", run.machine.clock_mhz);
+  if (!varies(&RunEntry::architecture) && run.machine.clock_mhz() > 0) {
+    line += fmt::format(" ({} pipeline{} at {} MHz)", run.machine.pipelines(),
+                        run.machine.pipelines() == 1 ? "" : "s", run.machine.clock_mhz());
   }
   return line;
 }

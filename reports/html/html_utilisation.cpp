@@ -82,11 +82,11 @@ Bar bar_for(const RunEntry& run, const std::string& label, const std::vector<Rea
 std::string utilisation_plots(const Result& result, const RunGroup& group, ShownNames& shown) {
   const std::vector<Reason> reasons = reasons_of(result, group);
   double full = 0;
-  int pipelines = 0;
+  int64_t pipelines = 0;
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
     full = std::max(full, quantity(run, "traverse.cycles").value_or(0));
-    pipelines = std::max(pipelines, run.machine.pipelines);
+    pipelines = std::max(pipelines, run.machine.pipelines());
   }
   if (reasons.empty() || full <= 0) return "";
   BarPlot plot;
@@ -110,7 +110,7 @@ std::string utilisation_plots(const Result& result, const RunGroup& group, Shown
   each.legend = plot.legend;
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
-    for (int p = 0; p < run.machine.pipelines; ++p) {
+    for (int64_t p = 0; p < run.machine.pipelines(); ++p) {
       const std::string unit = fmt::format("traverse[{}]", p);
       const auto cycles = static_cast<double>(run.measurements.counters.get(unit + ".cycles"));
       each.full = std::max(each.full, cycles);
@@ -118,7 +118,7 @@ std::string utilisation_plots(const Result& result, const RunGroup& group, Shown
   }
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
-    for (int p = 0; p < run.machine.pipelines; ++p) {
+    for (int64_t p = 0; p < run.machine.pipelines(); ++p) {
       const std::string unit = fmt::format("traverse[{}]", p);
       each.bars.push_back(bar_for(run, label_of(result, run) + ", " + unit, reasons, unit, each.full));
     }

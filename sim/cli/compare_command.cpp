@@ -9,7 +9,7 @@
 #include "sim/cli/verbs.h"
 #include "sim/session/hosts.h"
 #include "sim/session/manifest.h"
-#include "sim/session/measurement.h"
+#include "sim/session/measure_scenes.h"
 
 namespace cuesta {
 namespace {
@@ -29,7 +29,7 @@ class CompareCommand : public Command {
 
   ExitCode run(const Session& session) override {
     const auto start = std::chrono::steady_clock::now();
-    Measurement wanted;
+    RunRequest wanted;
     wanted.fidelity = parse_fidelity(options_.fidelity);
     const Host& host = find_host(options_.host);
     host.check_fidelity(wanted.fidelity);

@@ -8,12 +8,12 @@
 
 namespace cuesta {
 
-/// Loads what the planes are written with, so that what cannot be loaded is found before the work, and makes the folder
-/// that -o names, or the next free one of that stem.
+/// Loads what the planes are written with, so that what cannot be loaded is found before the work, and makes the
+/// folder that -o names, or the next free one of that stem.
 ResultFolder open_folder(const RunOptions& options, const std::string& stem);
 
-/// Prints a finished result's table or JSON, and where it lies; gives the verb's exit code: kIncomplete, with a sentence
-/// on stderr, when not every planned run is whole.
+/// Prints a finished result's table or JSON, and where it lies; gives the verb's exit code: kIncomplete, with a
+/// sentence on stderr, when not every planned run is whole.
 ExitCode print_result(const Result& result, const Completion& done, const ResultFolder& folder, bool json);
 
 }  // namespace cuesta

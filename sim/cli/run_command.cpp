@@ -10,7 +10,7 @@
 #include "sim/cli/wave_options.h"
 #include "sim/session/hosts.h"
 #include "sim/session/manifest.h"
-#include "sim/session/measurement.h"
+#include "sim/session/measure_scenes.h"
 
 namespace cuesta {
 namespace {
@@ -39,7 +39,7 @@ class RunCommand : public Command {
 
   ExitCode run(const Session& session) override {
     const auto start = std::chrono::steady_clock::now();
-    Measurement wanted;
+    RunRequest wanted;
     wanted.fidelity = parse_fidelity(options_.fidelity);
     HostRequest request;
     request.waves = waves_.request();

@@ -27,8 +27,8 @@ struct VerifyRtlOptions {
   bool own() const { return !scene.empty() || !run.heightmap.empty() || !run.rays_file.empty(); }
   /// Throws usage_error for an option that such a run does not use.
   void refuse_unused() const;
-  /// Throws usage_error where -o names what is there: nothing here replaces an older folder, as `cuesta run` does when it
-  /// is told to.
+  /// Throws usage_error where -o names what is there: nothing here replaces an older folder, as `cuesta run` does
+  /// when it is told to.
   void refuse_existing_folder() const;
 };
 

@@ -28,8 +28,8 @@ struct Host {
   void (*check_fidelity)(Fidelity fidelity);
   /// Throws usage_error for an algorithm that the host does not serve.
   void (*check_algorithm)(const Algorithm& algorithm);
-  /// Makes the runner; an empty one is the machine's own loop. What it has to say goes to `observer`, which must outlive
-  /// the runner. Throws usage_error for waves that the host does not write.
+  /// Makes the runner; an empty one is the machine's own loop. What it has to say goes to `observer`, which must
+  /// outlive the runner. Throws usage_error for waves that the host does not write.
   CycleRunner (*make)(const HostRequest& request, Observer& observer);
 };
 

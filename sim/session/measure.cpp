@@ -8,19 +8,21 @@
 #include "models/common/error.h"
 #include "models/oracle/checked_walks.h"
 #include "models/work/outcome.h"
+#include "sim/config/parameters.h"
 
 namespace cuesta {
 namespace {
 
+/// Gives the parameters that the run uses, as the table of parameters has them.
 MachineFacts facts_of(const Architecture& a, Fidelity fidelity, int texel_bytes) {
   MachineFacts facts;
-  facts.pipelines = a.machine.pipelines;
   facts.texel_bytes = texel_bytes;
-  if (fidelity == Fidelity::kFunctional) return facts;
-  facts.clock_mhz = a.machine.clock_mhz;
-  facts.line_bytes = a.height_l1.line_bytes;
-  facts.dram_peak_bytes_num = int64_t{a.dram.channels} * a.dram.bus_bytes * a.dram.clock_num;
-  facts.dram_peak_bytes_den = a.dram.clock_den;
+  for (const Parameter& parameter : parameters()) {
+    const bool used = why_unused(parameter, a, fidelity != Fidelity::kFunctional).empty();
+    // How many pipelines a result is about is said at every fidelity.
+    if (!used && parameter.path != "machine.pipelines") continue;
+    facts.parameters.push_back({std::string(parameter.path), parameter.get(a), std::string(parameter.unit)});
+  }
   return facts;
 }
 

@@ -24,7 +24,7 @@ std::string fit_for_a_file(std::string text) {
   return text.substr(0, kLongestName);
 }
 
-void write_configurations(const Measurement& wanted, ResultFolder& folder) {
+void write_configurations(const RunRequest& wanted, ResultFolder& folder) {
   const bool with_time = wanted.fidelity != Fidelity::kFunctional;
   for (const ResolvedArchitecture& machine : wanted.machines) {
     const bool alone = wanted.machines.size() == 1;
@@ -47,7 +47,7 @@ ResultFolder open_result_folder(const std::string& name, const std::string& stem
   }
 }
 
-Completion finish_result(const Measurement& wanted, std::chrono::steady_clock::time_point start,
+Completion finish_result(const RunRequest& wanted, std::chrono::steady_clock::time_point start,
                          Result& result, ResultFolder& folder) {
   Completion done{0, planned_runs(wanted)};
   for (const RunEntry& run : result.runs) done.whole += !run.partial();

@@ -5,7 +5,7 @@
 
 #include "reports/result.h"
 #include "reports/result_folder.h"
-#include "sim/session/measurement.h"
+#include "sim/session/measure_scenes.h"
 
 namespace cuesta {
 
@@ -24,7 +24,7 @@ ResultFolder open_result_folder(const std::string& name, const std::string& stem
 /// Ends a result and puts it under its name: times of day and how much is whole into the manifest, the machines'
 /// configurations, result.json with everything that is made from it, and the planes. `start`: when the work began.
 /// Throws Error(kIncomplete) for a result without a run, and keeps nothing then.
-Completion finish_result(const Measurement& wanted, std::chrono::steady_clock::time_point start,
+Completion finish_result(const RunRequest& wanted, std::chrono::steady_clock::time_point start,
                          Result& result, ResultFolder& folder);
 
 }  // namespace cuesta

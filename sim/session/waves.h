@@ -10,8 +10,8 @@
 
 namespace cuesta {
 
-/// Which signals of the hardware are wanted, and where: those of the cycles given, or from dispatch to completion of the
-/// rays of a pixel, or of the first thousand cycles.
+/// Which signals of the hardware are wanted, and where: those of the cycles given, or from dispatch to completion of
+/// the rays of a pixel, or of the first thousand cycles.
 struct WaveRequest {
   std::string file;                                   ///< a new FST file; empty: none
   std::optional<std::pair<int64_t, int64_t>> cycles;  ///< first and last
@@ -22,8 +22,8 @@ struct WaveRequest {
 };
 
 /// Makes what runs a machine and writes the waves. A pixel's cycles are found by a run of the model before. What was
-/// written, or that nothing was, is a remark to `observer`, which must outlive the runner. The runner throws usage_error
-/// for a pixel without rays and for a pipeline that the machine does not have.
+/// written, or that nothing was, is a remark to `observer`, which must outlive the runner. The runner throws
+/// usage_error for a pixel without rays and for a pipeline that the machine does not have.
 CycleRunner wave_runner(const WaveRequest& waves, Observer& observer);
 
 }  // namespace cuesta

@@ -9,7 +9,14 @@ namespace {
 
 RunEntry hand_made() {
   RunEntry run;
-  run.machine = {2, 500, 64, 2, 64, 5};  // 12.8 bytes per cycle at the peak
+  run.machine = {{{"machine.pipelines", 2, ""},
+                  {"machine.clock_mhz", 500, "MHz"},
+                  {"height_l1.line_bytes", 64, "bytes"},
+                  {"dram.channels", 2, ""},
+                  {"dram.bus_bytes", 4, "bytes"},
+                  {"dram.clock_num", 8, ""},  // 12.8 bytes per cycle at the peak
+                  {"dram.clock_den", 5, ""}},
+                 2};
   Counters& counters = run.measurements.counters;
   counters.set("machine.rays", 100);
   counters.set("machine.steps", 1250);

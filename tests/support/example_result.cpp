@@ -99,7 +99,14 @@ RunEntry run_like(const ExampleShape& shape, size_t scene, size_t algorithm) {
   counters.set("machine.hits", rays * 9 / 10);
   counters.set("machine.texel_bytes", all_steps);
   if (!shape.timed) return run;
-  run.machine = {shape.pipelines, 500, 64, 1, 64, 5};
+  run.machine = {{{"machine.pipelines", shape.pipelines, ""},
+                  {"machine.clock_mhz", 500, "MHz"},
+                  {"height_l1.line_bytes", 64, "bytes"},
+                  {"dram.channels", 2, ""},
+                  {"dram.bus_bytes", 4, "bytes"},
+                  {"dram.clock_num", 8, ""},
+                  {"dram.clock_den", 5, ""}},
+                 1};
   const int64_t cycles = all_steps * 13 / 8 / shape.pipelines + 900;
   counters.set("machine.cycles", cycles);
   for (int p = 0; p < shape.pipelines; ++p) {

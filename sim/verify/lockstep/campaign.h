@@ -39,8 +39,8 @@ struct LockstepReport {
 LockstepReport compare_case(const LockstepCase& one, const std::array<LockstepSide, 2>& sides,
                             Observer& observer);
 
-/// Draws machines and holds the model against the hardware on each, until the campaign is over, the observer ends it, or
-/// a case fails; the first failing one, in the order of seeds, is kept. Throws as run_lockstep.
+/// Draws machines and holds the model against the hardware on each, until the campaign is over, the observer ends it,
+/// or a case fails; the first failing one, in the order of seeds, is kept. Throws as run_lockstep.
 LockstepReport run_campaign(const LockstepCampaign& campaign, const std::array<LockstepSide, 2>& sides,
                             Observer& observer);
 

@@ -23,9 +23,9 @@ struct SmallestDifference {
 SmallestDifference shrink_difference(const LockstepReport& report, const std::array<LockstepSide, 2>& sides,
                                      Observer& observer);
 
-/// Leaves the smallest case in `folder` as files that the program reads, with the hardware's waves around the difference
-/// and difference.txt, and commits the folder. Gives the text about the smallest case: how it was found, the machine, the
-/// difference, and the command that shows it again. Throws what the writers throw.
+/// Leaves the smallest case in `folder` as files that the program reads, with the hardware's waves around the
+/// difference and difference.txt, and commits the folder. Gives the text about the smallest case: how it was found,
+/// the machine, the difference, and the command that shows it again. Throws what the writers throw.
 std::string leave_difference(const LockstepReport& report, const SmallestDifference& smallest,
                              const std::array<LockstepSide, 2>& sides, HardwareUnit unit,
                              ResultFolder& folder);

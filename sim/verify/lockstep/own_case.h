@@ -11,7 +11,8 @@ namespace cuesta {
 /// Throws usage_error for a search: the hardware has exact algorithms.
 void check_hardware_algorithm(const Algorithm& algorithm);
 
-/// Throws usage_error for stalls at a port that is inside the unit; `option` is for its sentence: "--stalls 5:0,0,9,...".
+/// Throws usage_error for stalls at a port that is inside the unit; `option` is for its sentence: "--stalls
+/// 5:0,0,9,...".
 void check_hardware_stalls(const PortStalls& stalls, HardwareUnit unit, const std::string& option);
 
 /// Makes a case of a user's own rays: those of `job`, under the algorithm, on the machine, which meets what `machine`

@@ -47,8 +47,8 @@ std::string fault_of(const OracleCounts& counts, OraclePart part, uint64_t seed)
 using OracleListener = std::function<void(const OracleCounts& counts, OraclePart part)>;
 
 /// Walks random rays over random maps and holds them against exact arithmetic, one part after the other, batch after
-/// batch. It ends after the first part with a fault, and where the observer wants it to; a batch with a fault is the last
-/// one that is counted. The same request gives the same counts.
+/// batch. It ends after the first part with a fault, and where the observer wants it to; a batch with a fault is the
+/// last one that is counted. The same request gives the same counts.
 OracleCounts check_oracle(const OracleRequest& request, Observer& observer,
                           const OracleListener& after_part = {});
 

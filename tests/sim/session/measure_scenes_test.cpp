@@ -1,5 +1,4 @@
-#include "sim/session/measurement.h"
-#include "sim/config/on_architecture.h"
+#include "sim/session/measure_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +19,7 @@
 namespace cuesta {
 namespace {
 
-class MeasurementTest : public ::testing::Test {
+class MeasureScenes : public ::testing::Test {
  protected:
   /// A small map seen by a small camera.
   std::string scene(const std::string& name) const {
@@ -29,9 +28,9 @@ class MeasurementTest : public ::testing::Test {
            "angle_degrees = 60\n[image]\nwidth = 24\nheight = 20\n";
     return folder_.path(name + ".toml");
   }
-  Measurement wanted(const std::vector<std::string>& algorithms,
-                     const std::vector<std::string>& machines = {"tiny"}) const {
-    Measurement wanted;
+  RunRequest wanted(const std::vector<std::string>& algorithms,
+                    const std::vector<std::string>& machines = {"tiny"}) const {
+    RunRequest wanted;
     wanted.scenes = {scene("small")};
     for (const std::string& name : algorithms) wanted.algorithms.push_back(parse_algorithm(name));
     wanted.machines = resolve_machines(machines, {}, wanted.fidelity);
@@ -46,8 +45,8 @@ class MeasurementTest : public ::testing::Test {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-TEST_F(MeasurementTest, EveryAlgorithmRunsOnEveryMachineOverEveryScene) {
-  Measurement m = wanted({"yun2013", "oh2006"}, {"tiny", "mobile"});
+TEST_F(MeasureScenes, EveryAlgorithmRunsOnEveryMachineOverEveryScene) {
+  RunRequest m = wanted({"yun2013", "oh2006"}, {"tiny", "mobile"});
   m.scenes.push_back(scene("other"));
   EXPECT_EQ(planned_runs(m), 8u);
   EXPECT_EQ(scene_names(m), (std::vector<std::string>{"small", "other"}));
@@ -71,8 +70,8 @@ TEST_F(MeasurementTest, EveryAlgorithmRunsOnEveryMachineOverEveryScene) {
   EXPECT_EQ(result.manifest.environment.at(0).second, "asked by a test");
 }
 
-TEST_F(MeasurementTest, AScheduleThatAMachineMakesOfTwoAlgorithmsRunsOnceAndIsRemarked) {
-  Measurement m = wanted({"oh2006", "drobot2009"});
+TEST_F(MeasureScenes, AScheduleThatAMachineMakesOfTwoAlgorithmsRunsOnceAndIsRemarked) {
+  RunRequest m = wanted({"oh2006", "drobot2009"});
   m.machines = resolve_machines(std::vector<std::string>{"tiny"}, {"traverse.up=always"}, m.fidelity);
   EXPECT_EQ(planned_runs(m), 1u);
   RecordingObserver observer;
@@ -81,8 +80,8 @@ TEST_F(MeasurementTest, AScheduleThatAMachineMakesOfTwoAlgorithmsRunsOnceAndIsRe
   EXPECT_NE(observer.remarks[0].find("2 algorithms are 1 different schedules"), std::string::npos);
 }
 
-TEST_F(MeasurementTest, StoppedByItsObserverItKeepsWhatIsThereAndSaysSo) {
-  const Measurement m = wanted({"dda", "oh2006"});
+TEST_F(MeasureScenes, StoppedByItsObserverItKeepsWhatIsThereAndSaysSo) {
+  const RunRequest m = wanted({"dda", "oh2006"});
   Result result = begin_result("compare", "");
   RecordingObserver observer("dda");
   EXPECT_FALSE(measure_scenes(m, {}, observer, result));
@@ -98,8 +97,8 @@ TEST_F(MeasurementTest, StoppedByItsObserverItKeepsWhatIsThereAndSaysSo) {
   EXPECT_THROW(measure_scenes(m, {}, at_once, nothing), Error) << "rays were made to the end";
 }
 
-TEST_F(MeasurementTest, AnErrorAfterAFinishedRunIsGivenBackAndBeforeItThrown) {
-  Measurement m = wanted({"oh2006"});
+TEST_F(MeasureScenes, AnErrorAfterAFinishedRunIsGivenBackAndBeforeItThrown) {
+  RunRequest m = wanted({"oh2006"});
   m.scenes.push_back(folder_.path("lost.toml"));
   Result result = begin_result("compare", "");
   Observer observer;
@@ -114,8 +113,8 @@ TEST_F(MeasurementTest, AnErrorAfterAFinishedRunIsGivenBackAndBeforeItThrown) {
   EXPECT_THROW(finish_result(m, start_, nothing, folder), Error) << "no run, and a result nevertheless";
 }
 
-TEST_F(MeasurementTest, AFinishedResultIsAFolderWithItsConfigurations) {
-  const Measurement m = wanted({"oh2006"}, {"tiny", "mobile"});
+TEST_F(MeasureScenes, AFinishedResultIsAFolderWithItsConfigurations) {
+  const RunRequest m = wanted({"oh2006"}, {"tiny", "mobile"});
   Result result = begin_result("compare", "");
   Observer observer;
   measure_scenes(m, {}, observer, result);
@@ -127,16 +126,41 @@ TEST_F(MeasurementTest, AFinishedResultIsAFolderWithItsConfigurations) {
   EXPECT_THROW(open_result_folder(folder_.path("r"), "", false), Error) << "an older result was replaced";
 }
 
-TEST_F(MeasurementTest, TwoScenesOfOneNameAndAMachineGivenTwiceAreRefused) {
-  Measurement m = wanted({"oh2006"});
+TEST_F(MeasureScenes, ARunCarriesTheParametersThatItUsedByTheirPaths) {
+  RunRequest m = wanted({"oh2006"}, {"desktop"});
+  Result result = begin_result("run", "");
+  Observer observer;
+  measure_scenes(m, {}, observer, result);
+  m.fidelity = Fidelity::kFunctional;
+  measure_scenes(m, {}, observer, result);
+  const Architecture& desktop = m.machines[0].architecture;
+  const MachineFacts &timed = result.runs[0].machine, &plain = result.runs[1].machine;
+  EXPECT_EQ(timed.at("traverse.contexts"), desktop.traverse.contexts);
+  EXPECT_EQ(timed.pipelines(), 8);
+  EXPECT_EQ(timed.dram_peak_bytes(),
+            int64_t{desktop.dram.channels} * desktop.dram.bus_bytes * desktop.dram.clock_num);
+  const auto row = std::ranges::find(timed.parameters, "height_l1.line_bytes", &ParameterRow::path);
+  ASSERT_NE(row, timed.parameters.end());
+  EXPECT_EQ(row->value, desktop.height_l1.line_bytes);
+  EXPECT_EQ(row->unit, "bytes");
+  EXPECT_EQ(timed.at("no.such", -1), -1);
+  EXPECT_EQ(plain.pipelines(), 8);
+  EXPECT_EQ(plain.at("traverse.fraction_bits"), desktop.traverse.fraction_bits);
+  for (const char* path : {"machine.clock_mhz", "height_l1.line_bytes", "dram.channels"})
+    EXPECT_EQ(plain.at(path), 0) << path << ", in a run without time";
+  EXPECT_EQ(plain.dram_peak_cycles(), 1);
+}
+
+TEST_F(MeasureScenes, TwoScenesOfOneNameAndAMachineGivenTwiceAreRefused) {
+  RunRequest m = wanted({"oh2006"});
   m.scenes.push_back(m.scenes[0]);
   EXPECT_THROW(scene_names(m), Error);
   EXPECT_THROW(resolve_machines(std::vector<std::string>{"tiny", "tiny"}, {}, Fidelity::kCycle), Error);
   EXPECT_THROW(resolve_machines({}, {}, Fidelity::kCycle), Error);
 }
 
-TEST_F(MeasurementTest, ASurfaceThatAnAlgorithmDoesNotHaveIsRefusedBeforeTheHeights) {
-  Measurement m = wanted({"relief"});
+TEST_F(MeasureScenes, ASurfaceThatAnAlgorithmDoesNotHaveIsRefusedBeforeTheHeights) {
+  RunRequest m = wanted({"relief"});
   check_surfaces(m);
   m.changes.surface = Surface::kBilinear;
   EXPECT_THROW(check_surfaces(m), Error);
@@ -166,8 +190,8 @@ TEST(Fidelities, NamesAreReadBackAndOthersRefused) {
   EXPECT_THROW(parse_fidelity("cicle"), Error);
 }
 
-TEST_F(MeasurementTest, WavesOfAPixelWithoutRaysOrOfAPipelineThatIsNotThereAreRefused) {
-  const Measurement m = wanted({"oh2006"});
+TEST_F(MeasureScenes, WavesOfAPixelWithoutRaysOrOfAPipelineThatIsNotThereAreRefused) {
+  const RunRequest m = wanted({"oh2006"});
   Result result = begin_result("run", "");
   RecordingObserver observer;
   WaveRequest waves{folder_.path("w.fst"), {}, std::pair<int64_t, int64_t>{24, 3}, 0};

@@ -1,4 +1,4 @@
-#include "sim/session/measurement.h"
+#include "sim/session/measure_scenes.h"
 #include "sim/config/on_architecture.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void add_preprocessing(const Measurer& measurer, Observer& observer, Result& res
   }
 }
 
-void measure_job(const Measurement& wanted, const Job& job, const CycleRunner& cycle_runner,
+void measure_job(const RunRequest& wanted, const Job& job, const CycleRunner& cycle_runner,
                  Observer& observer, Result& result) {
   Measurer measurer(job, cycle_runner);
   for (const ResolvedArchitecture& machine : wanted.machines) {
@@ -57,7 +57,7 @@ void measure_job(const Measurement& wanted, const Job& job, const CycleRunner& c
 
 }  // namespace
 
-void check_surfaces(const Measurement& wanted) {
+void check_surfaces(const RunRequest& wanted) {
   for (const std::string& scene : wanted.scenes) {
     for (const ResolvedArchitecture& machine : wanted.machines) {
       for (const Algorithm& algorithm : wanted.algorithms)
@@ -66,7 +66,7 @@ void check_surfaces(const Measurement& wanted) {
   }
 }
 
-std::vector<std::string> scene_names(const Measurement& wanted) {
+std::vector<std::string> scene_names(const RunRequest& wanted) {
   std::vector<std::string> names;
   for (const std::string& scene : wanted.scenes) {
     const std::string name = changed_scene(scene, wanted.changes).name;
@@ -78,7 +78,7 @@ std::vector<std::string> scene_names(const Measurement& wanted) {
   return names;
 }
 
-size_t planned_runs(const Measurement& wanted) {
+size_t planned_runs(const RunRequest& wanted) {
   size_t planned = 0;
   for (const ResolvedArchitecture& machine : wanted.machines) {
     planned += wanted.scenes.size() * distinct_on(machine.architecture, wanted.algorithms).size();
@@ -86,7 +86,7 @@ size_t planned_runs(const Measurement& wanted) {
   return planned;
 }
 
-void remark_same_schedules(const Measurement& wanted, Observer& observer) {
+void remark_same_schedules(const RunRequest& wanted, Observer& observer) {
   for (const ResolvedArchitecture& machine : wanted.machines) {
     const size_t runs = distinct_on(machine.architecture, wanted.algorithms).size();
     if (runs == wanted.algorithms.size()) continue;
@@ -97,7 +97,7 @@ void remark_same_schedules(const Measurement& wanted, Observer& observer) {
   }
 }
 
-std::optional<Error> measure_scenes(const Measurement& wanted, const CycleRunner& cycle_runner,
+std::optional<Error> measure_scenes(const RunRequest& wanted, const CycleRunner& cycle_runner,
                                     Observer& observer, Result& result) {
   for (const std::string& scene : wanted.scenes) {
     if (observer.wants_stop()) break;
