@@ -14,17 +14,18 @@ std::string with_firm_spaces(std::string text);
 /// Makes JSON fit for a <script> element, which no "</" and no "<!--" in it can end.
 std::string safe_json(std::string json);
 
-/// An id or class made of a statistic's name: "def-height_l1-misses".
+/// Makes an id or class of a statistic's name: "def-height_l1-misses".
 std::string anchor_of(std::string_view name);
 
-/// Colour classes that style.css has: "s0" to "s12".
+/// How many colour classes style.css has: "s0" to "s12".
 inline constexpr size_t kSeriesColours = 13;
-/// Colour class of the n-th run in a group; they repeat.
+/// Gives the colour class of the n-th run in a group; they repeat.
 std::string series_class(size_t index);
 
 std::string base64(std::string_view bytes);
 
-/// Attributes of a mark that answers to pointing, touch and keyboard; lines of `tip` are split by '\n'.
+/// Gives the attributes of a mark that answers to pointing, touch and keyboard; lines of `tip` are split by
+/// '\n'.
 std::string tip_attributes(std::string_view tip);
 
 }  // namespace cuesta::html

@@ -37,7 +37,7 @@ struct BarPlot {
   double reference = 0;  ///< > 0: a dashed line across all bars
 };
 
-/// A <figure> with an SVG whose lengths are percentages of its width.
+/// Draws a <figure> with an SVG whose lengths are percentages of its width.
 std::string svg_bar_plot(const BarPlot& plot);
 
 std::string legend_list(const std::vector<LegendEntry>& legend);

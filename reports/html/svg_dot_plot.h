@@ -22,7 +22,7 @@ struct DotPlot {
   std::string unit;  ///< of the labels of the axis, as `readable` takes it
 };
 
-/// A <figure>: dots on a logarithmic axis whose ends are powers of ten; values of 0 have no dot.
+/// Draws a <figure>: dots on a logarithmic axis whose ends are powers of ten; values of 0 have no dot.
 std::string svg_dot_plot(const DotPlot& plot);
 
 }  // namespace cuesta::html

@@ -25,7 +25,7 @@ struct LinePlot {
   double reference = 0;      ///< > 0: a dashed line across, on the axis
 };
 
-/// A <figure> with an SVG; pointing or the arrow keys show every line's value at the nearest place.
+/// Draws a <figure> with an SVG; pointing or the arrow keys show every line's value at the nearest place.
 std::string svg_line_plot(const LinePlot& plot);
 
 }  // namespace cuesta::html

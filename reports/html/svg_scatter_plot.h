@@ -29,11 +29,11 @@ struct ScatterPlot {
       false;  ///< draw the Pareto front: what no other point beats in x and y at once; less is better
 };
 
-/// A <figure>. x is logarithmic. y is logarithmic down to a hundredth of its largest decade or less, and 0 has a line of
-/// its own at the foot.
+/// Draws a <figure>. x is logarithmic. y is logarithmic down to a hundredth of its largest decade or less,
+/// and 0 has a line of its own at the foot.
 std::string svg_scatter_plot(const ScatterPlot& plot);
 
-/// The points that no other beats: less x at no more y, or less y at no more x; by rising x.
+/// Finds the points that no other beats: less x at no more y, or less y at no more x; by rising x.
 std::vector<const ScatterPoint*> pareto_front(const ScatterPlot& plot);
 
 }  // namespace cuesta::html

@@ -42,8 +42,9 @@ struct StudyPicture {
   std::string png;
 };
 
-/// A published study: what was varied, under which conditions, and what was counted. Integers only, so that the same
-/// study gives the same bytes everywhere; ratios are computed when read. Every page is made from this alone.
+/// A published study: what was varied, under which conditions, and what was counted. Integers only, so that
+/// the same study gives the same bytes everywhere; ratios are computed when read. Every page is made from
+/// this alone.
 struct StudyData {
   std::string study;                    ///< "iterations"
   std::string question;                 ///< one sentence
@@ -62,14 +63,17 @@ struct StudyData {
 size_t axis_index(const StudyData& data, std::string_view name);
 size_t counter_index(const StudyData& data, std::string_view name);
 
-/// The value that a place has on an axis, as it is written; as a number; whether it is `value`.
+/// Gives the value that a place has on an axis, as it is written.
 const std::string& value_at(const StudyData& data, const StudyPlace& place, std::string_view axis);
+/// Gives that value as a number.
 double number_at(const StudyData& data, const StudyPlace& place, std::string_view axis);
+/// Says whether it is `value`.
 bool is_at(const StudyData& data, const StudyPlace& place, std::string_view axis, std::string_view value);
 /// Reads the number that a value of an axis of numbers stands for; 0 for a name.
 double number_of_value(const std::string& value);
 
-/// Writes the values of an axis with `separator` between them; of more than a hundred the first, the last and their number.
+/// Writes the values of an axis with `separator` between them; of more than a hundred the first, the last and
+/// their number.
 std::string listed_values(const StudyAxis& axis, std::string_view separator);
 
 /// Reads a study's cases by place and by name. `data` must outlive it.

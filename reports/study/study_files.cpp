@@ -6,8 +6,8 @@
 #include "models/common/error.h"
 #include "reports/study/study_data.h"
 
-// data.json: head (what is varied, what is counted), then "cases": a row for each combination of all axes but the
-// last, [[values of those axes], [[counts] or null for each value of the last axis]]. A row is one line.
+// data.json: head (what is varied, what is counted), then "cases": a row for each combination of all axes but
+// the last, [[values of those axes], [[counts] or null for each value of the last axis]]. A row is one line.
 
 namespace cuesta {
 namespace {

@@ -23,7 +23,7 @@ std::string heading_of(const StudyAxis& axis, const std::string& value);
 std::string algorithm_table(const StudyTable& table, const std::string& corner, std::string_view axis,
                             const std::vector<std::string>& algorithms, const Where& where,
                             const std::function<std::string(const std::vector<StudyPlace>&)>& cell);
-/// Makes such a table of medians over views; `number` of a place.
+/// Makes such a table of medians of `number` over views.
 std::string median_table(const StudyTable& table, std::string_view axis,
                          const std::vector<std::string>& algorithms, const Where& where,
                          const ReadPlace& number, const std::function<std::string(double)>& text);

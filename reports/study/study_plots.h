@@ -20,8 +20,8 @@ LinePlot lines_over(const StudyTable& table, std::string_view axis,
 /// Names a depth and a size of map: "depth 0.35, 1024 texels".
 std::string depth_and_size(const std::string& depth, const std::string& size);
 
-/// Makes a plot per map, of one depth and size: a quotient of the published algorithms against the angle, median over the
-/// cases that fulfil `where` besides.
+/// Makes a plot per map, of one depth and size: a quotient of the published algorithms against the angle,
+/// median over the cases that fulfil `where` besides.
 std::string map_plots(const StudyTable& table, const Quotient& quotient, const std::string& depth,
                       const std::string& size, const Where& where, const std::string& unit, bool logarithmic);
 

@@ -9,11 +9,12 @@
 
 #include "reports/study/study_data.h"
 
-// What the pages of studies take from their data: selections of cases, ratios of their counts, medians and shares.
+// What the pages of studies take from their data: selections of cases, ratios of their counts, medians and
+// shares.
 
 namespace cuesta::html {
 
-/// axis = value, all of them.
+/// Conditions on a case: axis = value, all of them.
 using Where = std::vector<std::pair<std::string_view, std::string_view>>;
 
 /// Reads a number of one case; nullopt where it has none.
@@ -37,7 +38,7 @@ std::optional<double> against(const StudyTable& table, const StudyPlace& place, 
                               std::string_view counter);
 /// Names a view: "fractal 1024, depth 0.35, 75°".
 std::string view_name(const StudyTable& table, const StudyPlace& place);
-/// The value that a place has on an axis, as it is written.
+/// Gives the value that a place has on an axis, as it is written.
 const std::string& name_at(const StudyTable& table, const StudyPlace& place, std::string_view axis);
 
 /// Least, median (lower) and largest of a number over views, with the views of the ends.

@@ -18,8 +18,8 @@ struct TimedRun {
   int64_t cycles = 0;  ///< machine.cycles as that level has it; 0: the level has no time
 };
 
-/// Wall times beside a study. They are true of one host at one time: kept out of data.json, in times.json, and only ratios
-/// within one measurement say something elsewhere.
+/// Wall times beside a study. They are true of one host at one time: kept out of data.json, in times.json,
+/// and only ratios within one measurement say something elsewhere.
 struct StudyTimes {
   std::string host, processor, date, load, build;
   std::string frame;  ///< what was run, in a sentence

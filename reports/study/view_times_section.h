@@ -19,7 +19,8 @@ struct TimedView {
   const char* error_name;                                  ///< "rays that are wrong"
 };
 
-/// Shows error against the simulator's own wall time, functional and cycle by cycle, as charts and as a table.
+/// Shows error against the simulator's own wall time, functional and cycle by cycle, as charts and as a
+/// table.
 std::string view_times_section(const StudyTable& table, const StudyTimes& times, const TimedView& view);
 
 /// Adds a point to the series named `kind`; `exact` has a colour of its own.

@@ -43,7 +43,8 @@ ReadPlace reader(const StudyTable& table, const Quotient& quotient) {
   return [&table, quotient](const StudyPlace& place) { return value_of(table, place, quotient); };
 }
 
-/// Draws error, cycles and bytes of every algorithm in the views of one depth and angle: medians over the maps.
+/// Draws error, cycles and bytes of every algorithm in the views of one depth and angle: medians over the
+/// maps.
 ScatterPlot cost_plot(const StudyTable& table, const std::string& depth, const std::string& angle) {
   ScatterPlot plot;
   plot.title = "depth " + escape(depth) + ", " + escape(angle) + "°";

@@ -12,8 +12,9 @@ struct PictureError {
   int64_t ssim = 0;  ///< in millionths: structural similarity, 1,000,000 for equal pictures; below 0: 0
 };
 
-/// Compares them; SSIM after Wang, Bovik, Sheikh, Simoncelli 2004 (its constants K1 = 0.01, K2 = 0.03), with the mean over windows of
-/// 8 x 8 pixels every 4 pixels in the place of its Gaussian window: ours. The same bits on every host.
+/// Compares them; SSIM after Wang, Bovik, Sheikh, Simoncelli 2004 (its constants K1 = 0.01, K2 = 0.03), with
+/// the mean over windows of 8 x 8 pixels every 4 pixels in the place of its Gaussian window: ours. The same
+/// bits on every host.
 PictureError picture_error(std::span<const double> truth, std::span<const double> found, int width);
 
 }  // namespace cuesta

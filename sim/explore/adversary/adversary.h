@@ -29,8 +29,9 @@ struct AdversaryResult {
 /// Is called before each try with tries made and the best score; returning false ends the search.
 using AdversaryWatch = std::function<bool(uint64_t tries, double best)>;
 
-/// Looks for the case of the highest score: a small population whose members are changed and crossed, the better child
-/// in the worst one's place, begun anew when it stands still. The same options and number of tries give the same case.
+/// Looks for the case of the highest score: a small population whose members are changed and crossed, the
+/// better child in the worst one's place, begun anew when it stands still. The same options and number of
+/// tries give the same case.
 AdversaryResult run_adversary(const AdversaryScorer& scorer, const AdversaryOptions& options,
                               const AdversaryWatch& watch);
 

@@ -10,7 +10,7 @@
 
 namespace cuesta {
 
-/// Bounds of what cases are made of.
+/// The bounds of what cases are made of.
 struct AdversaryBounds {
   int width = 16, height = 16;  ///< texels, 1 to 64 each
   int bits = 8;                 ///< 1 to 16
@@ -34,7 +34,8 @@ struct AdversaryCase {
   std::vector<TracedRay> traced() const;
 };
 
-/// Makes a case: a map that is flat, noise, spikes, pits, checker or steps, and rays with a liking for planes, corners and axes.
+/// Makes a case: a map that is flat, noise, spikes, pits, checker or steps, and rays with a liking for
+/// planes, corners and axes.
 AdversaryCase random_adversary_case(Random& random, const AdversaryBounds& bounds);
 
 /// Makes a case like `from` with one to three changes of texels or rays.

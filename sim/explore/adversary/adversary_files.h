@@ -26,8 +26,8 @@ std::string reproducing_command(const AdversaryRecord& record, const std::string
 /// Says in a sentence or two where that run shows the score, or where else it stands.
 std::string place_of_score(const AdversaryRecord& record);
 
-/// Writes map.png, rays.csv, scene.toml (all three: what `cuesta run` takes), case.toml and README.md. The same case gives the
-/// same bytes.
+/// Writes map.png, rays.csv, scene.toml (all three: what `cuesta run` takes), case.toml and README.md. The
+/// same case gives the same bytes.
 void write_adversary_files(const AdversaryRecord& record, const AdversaryResult& result,
                            ResultFolder& folder);
 

@@ -23,16 +23,16 @@ std::string_view unit_of(Maximise maximise);
 /// What a case is worth.
 struct AdversaryScore {
   double score = 0;
-  /// An exact algorithm that differs from the leaf walk, or the leaf walk in fixed point from exact arithmetic: a fault of
-  /// the simulator. Empty: none.
+  /// An exact algorithm that differs from the leaf walk, or the leaf walk in fixed point from exact
+  /// arithmetic: a fault of the simulator. Empty: none.
   std::string fault;
 };
 
 /// Runs one algorithm on one machine over small cases.
 ///   steps   machine.steps per ray, of a functional run
 ///   cycles  machine.cycles per ray, of a run cycle by cycle
-///   error   how far up or down the slab the found place lies from the exact one, in slabs, mean over the rays; a hit
-///           that is missed or invented counts as 1, a tie as 0
+///   error   how far up or down the slab the found place lies from the exact one, in slabs, mean over the rays;
+///           a hit that is missed or invented counts as 1, a tie as 0
 class AdversaryScorer {
  public:
   AdversaryScorer(Algorithm algorithm, const Architecture& architecture, AddressMode mode, Maximise maximise);

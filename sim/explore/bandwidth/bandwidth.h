@@ -16,7 +16,7 @@ std::string bandwidth_page(const StudyData& data);
 std::string bandwidth_headline(const StudyData& data);
 
 namespace html {
-/// What the literature says of cycles and bytes.
+/// Lists what the literature says of cycles and bytes.
 const std::vector<Statement>& statements_on_cycles();
 }  // namespace html
 

@@ -16,9 +16,9 @@ std::string fidelity_headline(const StudyData& data);
 
 /// How many cycles of one pipeline "rtl with waves" writes down.
 inline constexpr int64_t kFidelityWaveCycles = 20'000;
-/// Times one frame of the scene `default` on each preset and every level of fidelity, in SystemC, and with waves. Levels
-/// that this build has not are left out. Throws Error(kMismatch) when levels find different hits, Error(kIncomplete) when
-/// `progress` says no.
+/// Times one frame of the scene `default` on each preset and every level of fidelity, in SystemC, and with
+/// waves. Levels that this build has not are left out. Throws Error(kMismatch) when levels find different
+/// hits, Error(kIncomplete) when `progress` says no.
 StudyTimes fidelity_times(bool quick, const StudyProgress& progress);
 
 }  // namespace cuesta

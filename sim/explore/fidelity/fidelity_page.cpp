@@ -14,7 +14,8 @@ namespace cuesta {
 namespace html {
 namespace {
 
-/// Reads a level's count over cycle's, less one, in per cent, without its sign; none where cycle counted nothing.
+/// Reads a level's count over cycle's, less one, in per cent, without its sign; none where cycle counted
+/// nothing.
 ReadPlace error_of(const StudyTable& table, std::string of, std::string truth) {
   return [&table, of = std::move(of),
           truth = std::move(truth)](const StudyPlace& place) -> std::optional<double> {
@@ -154,7 +155,8 @@ std::string units_section(const StudyTable& table) {
   const std::vector<StudyPlace> all = places_where(table, {});
   std::vector<std::vector<std::string>> rows;
   for (const Unit& unit : kUnits) {
-    // Counts that hardly take part in the cycles have errors that say nothing: only those of 1 % of the cycles and more.
+    // Counts that hardly take part in the cycles have errors that say nothing: only those of 1 % of the
+    // cycles and more.
     std::vector<StudyPlace> heard;
     for (const StudyPlace& place : all) {
       const auto share = table.ratio(place, std::string("cycle_") + unit.counter, "cycle_cycles");

@@ -18,7 +18,8 @@ namespace {
 
 constexpr const char* kAlgorithm = "yun2013";
 
-/// One level over one frame. Throws Error(kMismatch) when it finds other hits than `hits`, which the first level sets.
+/// One level over one frame. Throws Error(kMismatch) when it finds other hits than `hits`, which the first
+/// level sets.
 TimedRun timed(const std::string& machine, const std::string& level, const std::function<Outcome()>& run,
                std::string& hits) {
   TimedRun result{machine, kAlgorithm, level, 0, 0, 0};

@@ -16,7 +16,7 @@ std::string iterations_page(const StudyData& data);
 std::string iterations_headline(const StudyData& data);
 
 namespace html {
-/// What the literature says of steps.
+/// Lists what the literature says of steps.
 const std::vector<Statement>& statements_on_steps();
 }  // namespace html
 

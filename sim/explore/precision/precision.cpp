@@ -14,6 +14,8 @@
 #include "models/heightmap/generator.h"
 #include "models/rays/hit_time.h"
 #include "models/traversal/traversal.h"
+#include "sim/explore/precision/exact_skipping_walk.h"
+#include "sim/explore/precision/half_precision.h"
 #include "sim/explore/study/plan_parts.h"
 
 namespace cuesta {
@@ -345,43 +347,6 @@ std::string fixed_format(int fraction, int mantissa, int direction) {
 std::string default_format() { return fixed_format(8, 4, 32); }
 
 }  // namespace precision
-
-int64_t in_half_precision(int64_t height, int64_t full_scale) {
-  const int extra = std::max(static_cast<int>(std::bit_width(static_cast<uint64_t>(height))) - 11, 0);
-  if (extra == 0) return height;
-  const int64_t below = height >> extra << extra, rest = height - below, half = int64_t{1} << (extra - 1);
-  const bool up = rest > half || (rest == half && (below >> extra & 1) != 0);
-  const int64_t nearest = up ? below + (int64_t{1} << extra) : below;
-  return nearest <= full_scale ? nearest : below;
-}
-
-OracleHit<BigInt> exact_skipping_walk(const ExactRay<BigInt>& ray, std::span<const OracleMap> levels) {
-  const MapShape& shape = levels[0].shape;
-  const auto start = oracle_start(ray, shape);
-  if (!start) return {};
-  ExactTime<BigInt> now = *start;
-  int64_t k = ray.x.cell_at(now), l = ray.y.cell_at(now);
-  const int root = static_cast<int>(levels.size()) - 1;
-  for (int level = root; now < ray.t_max;) {
-    const OracleMap& map = levels[static_cast<size_t>(level)];
-    const OracleSpan u = oracle_span(k, ray.x.sign < 0, shape.width, level, shape.address_mode);
-    const OracleSpan v = oracle_span(l, ray.y.sign < 0, shape.height, level, shape.address_mode);
-    const ExactTime<BigInt> out = earlier(ray.x.plane(u.upper), ray.y.plane(v.upper));
-    if (level == 0) {
-      OracleHit<BigInt> answer = oracle_ask_cell(ray, map, *start, u, v);
-      if (answer.hit) return answer;
-    } else if (ray.z.reaches(map.values[static_cast<size_t>(v.stored) * map.width + u.stored]) < out) {
-      --level;  // somewhere in the node the ray may be below its highest texel
-      continue;
-    }
-    if (!out.is_finite()) return {};
-    now = out;
-    k = ray.x.cell_at(now);
-    l = ray.y.cell_at(now);
-    level = std::min(level + 1, root);
-  }
-  return {};
-}
 
 Study precision_study() {
   return {.name = kName,

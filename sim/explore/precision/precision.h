@@ -1,10 +1,7 @@
 #pragma once
 
-#include <span>
 #include <string>
 
-#include "models/oracle/oracle.h"
-#include "models/oracle/traced_ray.h"
 #include "sim/explore/study/study.h"
 
 namespace cuesta {
@@ -33,13 +30,5 @@ std::string default_format();
 inline constexpr const char* kHalf = "/half";
 
 }  // namespace precision
-
-/// Finds what a descending ray hits on a repeating square map whose side is a power of two, exactly: as oracle_leaf_walk,
-/// but nodes that the ray provably passes above are skipped. `levels`: views of the max pyramid, leaves first.
-OracleHit<BigInt> exact_skipping_walk(const ExactRay<BigInt>& ray, std::span<const OracleMap> levels);
-
-/// Rounds `height` to the nearest value of ten bits after the leading one (IEEE half precision), ties to even; where that
-/// lies above `full_scale`, to the largest below it. Heights as fractions of 2^B: the scale takes no part.
-int64_t in_half_precision(int64_t height, int64_t full_scale);
 
 }  // namespace cuesta

@@ -88,8 +88,8 @@ std::string formats_section(const StudyTable& table) {
       choice("formats", panels));
 }
 
-/// Finds the set of widths of least M + f + D whose largest error over all angles is within `bound`, of equals the one of
-/// least M; "none" where there is none.
+/// Finds the set of widths of least M + f + D whose largest error over all angles is within `bound`, of
+/// equals the one of least M; "none" where there is none.
 std::string narrowest(const StudyTable& table, const std::string& size, const std::string& bits,
                       std::string_view counter, double bound) {
   int n = 0, heights = 0;

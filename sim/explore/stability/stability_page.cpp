@@ -20,7 +20,8 @@ bool is_exact(const std::string& algorithm) { return parse_algorithm(algorithm).
 
 bool is_printed(const std::string& algorithm) { return algorithm.find("-printed") != std::string::npos; }
 
-/// Divides the rays of several counters by all rays of the cases that fulfil `where`, per cent; nullopt: no such case.
+/// Divides the rays of several counters by all rays of the cases that fulfil `where`, per cent; nullopt: no
+/// such case.
 std::optional<double> share(const StudyTable& table, const Where& where,
                             const std::vector<std::string>& counters) {
   return share_of_rays(table, places_where(table, where), counters);

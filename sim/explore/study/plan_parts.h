@@ -21,11 +21,13 @@ void add_conditions(StudyData& plan, std::vector<std::string> sentences);
 inline constexpr uint32_t kViewWidth = 256, kViewHeight = 128;
 inline constexpr uint32_t kWarpWidth = 8, kWarpHeight = 4;  // of neighbouring pixels
 
-/// Gives the picture that studies of traversal look at: two tiles' breadth, turned by 25 degrees. One direction for all
-/// rays makes the angle exact, an endless plane makes every pixel a ray that hits, and two tiles' breadth meets every part
-/// of the map about equally often. A perspective camera would mix angles, and show less of the map the more it is tilted.
+/// Gives the picture that studies of traversal look at: two tiles' breadth, turned by 25 degrees. One
+/// direction for all rays makes the angle exact, an endless plane makes every pixel a ray that hits, and two
+/// tiles' breadth meets every part of the map about equally often. A perspective camera would mix angles, and
+/// show less of the map the more it is tilted.
 ParallelView study_view(double angle_degrees, double depth);
-/// Lists the pixels of that picture, row by row: all, or with `sampled` those of one warp in four, evenly spread.
+/// Lists the pixels of that picture, row by row: all, or with `sampled` those of one warp in four, evenly
+/// spread.
 std::vector<uint32_t> picture_pixels(bool sampled);
 /// Says what holds for every case of a study that looks at it.
 std::vector<std::string> view_conditions();

@@ -40,7 +40,8 @@ std::vector<Batch> batches_of(const Study& study, const std::vector<StudyPlace>&
   return batches;
 }
 
-/// Finds the cases of an earlier study by their place in this plan; places that this plan does not have are left out.
+/// Finds the cases of an earlier study by their place in this plan; places that this plan does not have are
+/// left out.
 std::map<StudyPlace, const StudyCase*> known_places(const StudyData& plan, const StudyData& earlier) {
   auto same = [](const auto& a, const auto& b) { return a.name == b.name; };
   const bool fits =

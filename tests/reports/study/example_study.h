@@ -4,7 +4,8 @@
 
 namespace cuesta::tests {
 
-/// Two maps, two angles, three algorithms; steps(map, angle, algorithm) are given, all other counts follow from them.
+/// Two maps, two angles, three algorithms; steps(map, angle, algorithm) are given, all other counts follow
+/// from them.
 inline StudyData example_iterations() {
   StudyData data;
   data.study = "iterations";

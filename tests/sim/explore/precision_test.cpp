@@ -10,6 +10,8 @@
 #include "models/heightmap/generator.h"
 #include "models/heightmap/pyramid.h"
 #include "reports/study/study_data.h"
+#include "sim/explore/precision/exact_skipping_walk.h"
+#include "sim/explore/precision/half_precision.h"
 #include "sim/explore/study/study_runner.h"
 
 namespace cuesta {
@@ -109,8 +111,9 @@ TEST(HalfPrecision, IsTheNearestNumberOfElevenSignificantBits) {
   for (int64_t height = 0; height < 2048; ++height) ASSERT_EQ(in_half_precision(height, 2047), height);
 }
 
-/// A reciprocal rounded to M bits is off by 2^-M of itself at most, and so is the time of a height; no ray falls further
-/// than 2^B LSBs. What the direction's own D bits and the grid of times add is below a hundredth of an LSB at D = 32.
+/// A reciprocal rounded to M bits is off by 2^-M of itself at most, and so is the time of a height; no ray
+/// falls further than 2^B LSBs. What the direction's own D bits and the grid of times add is below a
+/// hundredth of an LSB at D = 32.
 TEST(PublishedPrecision, HeightsAreOffByNoMoreThanTheReciprocalsRounding) {
   std::ifstream file("reports/published/precision/data.json", std::ios::binary);
   const StudyData data = parse_study_json({std::istreambuf_iterator<char>(file), {}}, "data.json");

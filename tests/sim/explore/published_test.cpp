@@ -12,7 +12,8 @@
 #include "reports/study/study_readme.h"
 #include "sim/explore/study/study_runner.h"
 
-// What is committed under reports/published is what the program counts, and wall times beside it. Long under sanitizers.
+// What is committed under reports/published is what the program counts, and wall times beside it. Long under
+// sanitizers.
 
 namespace cuesta {
 namespace {

@@ -11,7 +11,8 @@ namespace {
 using namespace html;
 
 TEST(StudyPage, StartsWithTheSentenceAndItsNumbersComeFromTheData) {
-  // Front: 450/900 and 320/800; the lower median of two is the smaller ratio, .4. Grazing: 1200/1500 and 1000/2000.
+  // Front: 450/900 and 320/800; the lower median of two is the smaller ratio, .4. Grazing: 1200/1500 and
+  // 1000/2000.
   const StudyData data = tests::example_iterations();
   const std::string headline = iterations_headline(data);
   EXPECT_NE(
