@@ -26,8 +26,8 @@ class SearchCells {
   SearchCells(const SearchRay<Real>& ray, const MapShape& shape, const typename A::Format& format)
       : ray_(&ray),
         format_(&format),
-        x_(ray.line_x, ray.x, shape.width),
-        y_(ray.line_y, ray.y, shape.height),
+        x_(ray.time_x, ray.x, shape.width),
+        y_(ray.time_y, ray.y, shape.height),
         shape_(&shape) {
     go_to(ray.t_start);
   }
@@ -52,7 +52,7 @@ class SearchCells {
 
   Leaf ask(int64_t height) const {
     const Real in_x = A::at(*x_.line, x_.cell), in_y = A::at(*y_.line, y_.cell);
-    const Real later = std::max(in_x, in_y), t_z = A::at(ray_->line_z, height);
+    const Real later = std::max(in_x, in_y), t_z = A::at(ray_->time_z, height);
     Leaf leaf;
     leaf.t_in = std::max(ray_->t_start, later);
     leaf.t_out = std::min(x_.exit(), y_.exit());
@@ -68,12 +68,12 @@ class SearchCells {
 
  private:
   struct Axis {
-    const typename A::Line* line;
+    const typename A::PlaneTime* line;
     const typename SearchRay<Real>::Axis* axis;
     int size;
     int64_t cell = 0;
 
-    Axis(const typename A::Line& of, const typename SearchRay<Real>::Axis& ray_axis, int texels)
+    Axis(const typename A::PlaneTime& of, const typename SearchRay<Real>::Axis& ray_axis, int texels)
         : line(&of), axis(&ray_axis), size(texels) {}
     Real exit() const { return A::at(*line, cell + 1); }
     int64_t real() const { return axis->back ? size - 1 - cell : cell; }

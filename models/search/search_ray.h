@@ -53,7 +53,7 @@ struct SearchRay {
   Real z_end = 0;               ///< at t_end, exact where the slab ends
   bool ends_at_bottom = false;  ///< t_end is where the ray reaches z = 0
   Axis x, y;
-  typename A::Line line_x, line_y, line_z;  ///< mirrored so that x and y never decrease
+  typename A::PlaneTime time_x, time_y, time_z;  ///< mirrored so that x and y never decrease
 
   bool descending() const { return dz < 0; }
   /// A sample of height h at ray height z lies under the surface: touching counts for descending rays only.
@@ -63,7 +63,7 @@ struct SearchRay {
     return {t, x0 + t * dx, y0 + t * dy, t >= t_end ? z_end : z0 + t * dz, dx < 0, dy < 0};
   }
   /// When the ray has height h; dz != 0.
-  Real reaches(Real h) const { return (h - z0) * line_z.inverse; }
+  Real reaches(Real h) const { return (h - z0) * time_z.inverse; }
 };
 
 template <class Real>
@@ -88,23 +88,23 @@ SearchRay<Real> make_search_ray(const MachineRay& input, const MapShape& map,
   };
   ray.x = axis(input.x0, input.dx, map.width);
   ray.y = axis(input.y0, input.dy, map.height);
-  ray.line_x = A::plane_line(ray.x.origin, ray.x.speed, format);
-  ray.line_y = A::plane_line(ray.y.origin, ray.y.speed, format);
-  ray.line_z = A::height_line(input.z0, input.dz, format);
+  ray.time_x = A::plane_time(ray.x.origin, ray.x.speed, format);
+  ray.time_y = A::plane_time(ray.y.origin, ray.y.speed, format);
+  ray.time_z = A::height_time(input.z0, input.dz, format);
   ray.t_max = A::limit(input, format);
 
   ray.t_end = ray.t_max;
   if (input.dz < 0) {
-    ray.t_start = std::max<Real>(0, A::at(ray.line_z, map.full_scale()));
-    const Real bottom = A::at(ray.line_z, 0);
+    ray.t_start = std::max<Real>(0, A::at(ray.time_z, map.full_scale()));
+    const Real bottom = A::at(ray.time_z, 0);
     ray.ends_at_bottom = bottom <= ray.t_end;
     ray.t_end = std::min(ray.t_end, bottom);
   } else if (input.dz > 0) {
-    ray.t_end = std::min(ray.t_end, A::at(ray.line_z, map.full_scale()));
+    ray.t_end = std::min(ray.t_end, A::at(ray.time_z, map.full_scale()));
   }
   if (map.address_mode == AddressMode::kBorder) {
-    ray.t_start = std::max(ray.t_start, std::max(A::at(ray.line_x, 0), A::at(ray.line_y, 0)));
-    const Real leaves = std::min(A::at(ray.line_x, map.width), A::at(ray.line_y, map.height));
+    ray.t_start = std::max(ray.t_start, std::max(A::at(ray.time_x, 0), A::at(ray.time_y, 0)));
+    const Real leaves = std::min(A::at(ray.time_x, map.width), A::at(ray.time_y, map.height));
     if (!(ray.t_start < leaves)) return ray;
     if (leaves < ray.t_end) {
       ray.t_end = leaves;

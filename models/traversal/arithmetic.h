@@ -9,13 +9,13 @@
 #include "models/rays/machine_ray.h"
 #include "models/traversal/reciprocal.h"
 
-// The three arithmetics in which a ray can be traversed. Each gives a type of time and a `Line`: a monotone
+// The three arithmetics in which a ray can be traversed. Each gives a type of time and a `PlaneTime`: a monotone
 // function of an integer (a plane's index, a height) into time. That they never decrease (or never increase)
 // is all that the traversal asks of them.
 
 namespace cuesta {
 
-/// Times are integers; a line is p = k * slope - offset, shifted left by the reciprocal's exponent and
+/// Times are integers; a plane time is p = k * slope - offset, shifted left by the reciprocal's exponent and
 /// saturated at t_end. Negative times are stored as -1 << shift: only their sign is used.
 struct FixedArithmetic {
   using Time = int64_t;
@@ -25,7 +25,7 @@ struct FixedArithmetic {
     int64_t t_end;
   };
 
-  struct Line {
+  struct PlaneTime {
     int64_t slope;
     int64_t offset;
     int64_t limit;  ///< largest p that does not saturate
@@ -38,7 +38,7 @@ struct FixedArithmetic {
   }
 
   /// When the ray, at `origin` (f fraction bits) and moving by d >= 0, crosses plane K.
-  static Line plane_line(int64_t origin, int64_t d, const Format& format) {
+  static PlaneTime plane_time(int64_t origin, int64_t d, const Format& format) {
     const int f = format.number.fraction_bits;
     // d = 0: p < 0 for every plane at or before the origin, p >= 0 > limit for every other.
     if (d == 0) return {int64_t{1} << f, origin + 1, -1, format.t_end, 0};
@@ -47,7 +47,7 @@ struct FixedArithmetic {
   }
 
   /// When the ray reaches height h.
-  static Line height_line(int64_t z0, int64_t dz, const Format& format) {
+  static PlaneTime height_time(int64_t z0, int64_t dz, const Format& format) {
     const int f = format.number.fraction_bits;
     if (dz == 0) return {-(int64_t{1} << f), -z0, -1, format.t_end, 0};
     const Reciprocal r = reciprocal(dz < 0 ? -dz : dz, format.number);
@@ -56,17 +56,17 @@ struct FixedArithmetic {
             r.exponent};
   }
 
-  static Time at(const Line& line, int64_t k) {
-    const int64_t p = k * line.slope - line.offset;
-    return p > line.limit ? line.t_end : std::max<int64_t>(p, -1) << line.shift;
+  static Time at(const PlaneTime& plane, int64_t k) {
+    const int64_t p = k * plane.slope - plane.offset;
+    return p > plane.limit ? plane.t_end : std::max<int64_t>(p, -1) << plane.shift;
   }
 
-  /// The largest K with at(line, K) <= t, for 0 <= t < t_end.
-  static int64_t cell_at(const Line& line, int64_t origin, int64_t d, Time t, const Format& format) {
+  /// The largest K with at(plane, K) <= t, for 0 <= t < t_end.
+  static int64_t cell_at(const PlaneTime& plane, int64_t origin, int64_t d, Time t, const Format& format) {
     const int f = format.number.fraction_bits;
     if (d == 0 || t == 0) return origin >> f;
-    const int64_t mantissa = line.slope >> f;
-    return (origin + (t >> line.shift) / mantissa) >> f;
+    const int64_t mantissa = plane.slope >> f;
+    return (origin + (t >> plane.shift) / mantissa) >> f;
   }
 
   static Time limit(const MachineRay& ray, const Format&) { return ray.t_max; }
@@ -86,7 +86,7 @@ struct RealArithmetic {
     int64_t t_end;
   };
 
-  struct Line {
+  struct PlaneTime {
     Real origin;
     Real inverse;  ///< infinite: the ray does not move along this axis
   };
@@ -101,31 +101,31 @@ struct RealArithmetic {
             (int64_t{1} << time_bits(map, number)) - 1};
   }
 
-  static Line line(int64_t origin, int64_t d, Real sign, const Format& format) {
+  static PlaneTime along_axis(int64_t origin, int64_t d, Real sign, const Format& format) {
     return {static_cast<Real>(static_cast<double>(origin) * format.unit_of_position),
             d == 0 ? sign * std::numeric_limits<Real>::infinity()
                    : sign * (Real{1} / static_cast<Real>(d < 0 ? -d : d))};
   }
-  static Line plane_line(int64_t origin, int64_t d, const Format& format) {
-    return line(origin, d, 1, format);
+  static PlaneTime plane_time(int64_t origin, int64_t d, const Format& format) {
+    return along_axis(origin, d, 1, format);
   }
-  static Line height_line(int64_t z0, int64_t dz, const Format& format) {
-    return line(z0, dz, dz > 0 ? Real{1} : Real{-1}, format);
+  static PlaneTime height_time(int64_t z0, int64_t dz, const Format& format) {
+    return along_axis(z0, dz, dz > 0 ? Real{1} : Real{-1}, format);
   }
 
-  static Time at(const Line& line, int64_t k) {
+  static Time at(const PlaneTime& plane, int64_t k) {
     const Real position = static_cast<Real>(k);
-    if (std::abs(line.inverse) == std::numeric_limits<Real>::infinity()) {
-      return position > line.origin ? line.inverse : -line.inverse;
+    if (std::abs(plane.inverse) == std::numeric_limits<Real>::infinity()) {
+      return position > plane.origin ? plane.inverse : -plane.inverse;
     }
-    return (position - line.origin) * line.inverse;
+    return (position - plane.origin) * plane.inverse;
   }
 
-  static int64_t cell_at(const Line& line, int64_t origin, int64_t d, Time t, const Format& format) {
+  static int64_t cell_at(const PlaneTime& plane, int64_t origin, int64_t d, Time t, const Format& format) {
     int64_t cell = origin >> format.number.fraction_bits;
-    if (d != 0 && t > 0) cell = static_cast<int64_t>(line.origin + t / line.inverse);
-    while (at(line, cell) > t) --cell;
-    while (at(line, cell + 1) <= t) ++cell;
+    if (d != 0 && t > 0) cell = static_cast<int64_t>(plane.origin + t / plane.inverse);
+    while (at(plane, cell) > t) --cell;
+    while (at(plane, cell + 1) <= t) ++cell;
     return cell;
   }
 

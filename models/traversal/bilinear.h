@@ -154,7 +154,7 @@ namespace bilinear_detail {
 template <class A, class G>
 HitFace face_of_start(const Walk<A, G>& walk, const RayState<A, G>& ray) {
   if (walk.map.address_mode != AddressMode::kBorder) return HitFace::kInside;
-  const auto at_edge = [&](const typename A::Line& line, int64_t lower) {
+  const auto at_edge = [&](const typename A::PlaneTime& line, int64_t lower) {
     return lower == 0 && A::at(line, 0) == ray.t_start;
   };
   if (at_edge(ray.x, ray.gx.enter_plane(walk.x, 0))) return HitFace::kWallX;

@@ -27,10 +27,10 @@ struct alignas(64) Lane64 {
   int64_t at[kLanes] = {};
 };
 
-struct LaneLine {
+struct LanePlaneTime {
   Lane64 slope, offset, limit, shift;
 
-  void set(int lane, const FixedArithmetic::Line& line) {
+  void set(int lane, const FixedArithmetic::PlaneTime& line) {
     slope.at[lane] = line.slope;
     offset.at[lane] = line.offset;
     limit.at[lane] = line.limit;
@@ -40,7 +40,7 @@ struct LaneLine {
 
 /// Eight rays on their way: RayState, field by field.
 struct Group {
-  LaneLine x, y, z;
+  LanePlaneTime x, y, z;
   Lane64 node_x, node_y, flip_x, flip_y;
   Lane64 t_cur, t_start, t_max, t_root;
   Lane64 level, down, last_crossed, steps;
@@ -148,7 +148,7 @@ class LaneTraversal {
   CUESTA_AVX512 static inline void store(Lane64& value, __m512i v) { _mm512_store_si512(value.at, v); }
 
   /// FixedArithmetic::at, lane by lane.
-  CUESTA_AVX512 inline __m512i at(const LaneLine& line, __m512i k) const {
+  CUESTA_AVX512 inline __m512i at(const LanePlaneTime& line, __m512i k) const {
     const __m512i p = _mm512_sub_epi64(_mm512_mul_epi32(k, load(line.slope)), load(line.offset));
     const __mmask8 over = _mm512_cmpgt_epi64_mask(p, load(line.limit));
     const __m512i shifted = _mm512_sllv_epi64(_mm512_max_epi64(p, _mm512_set1_epi64(-1)), load(line.shift));

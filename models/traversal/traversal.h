@@ -44,7 +44,7 @@ struct Walk {
 template <class A, class G>
 struct RayState {
   using Time = typename A::Time;
-  typename A::Line x, y, z;
+  typename A::PlaneTime x, y, z;
   G gx, gy;
   Time t_cur, t_start, t_max;
   Time t_root;           ///< rising: when the ray passes the map's maximum
@@ -110,7 +110,7 @@ void descend_to_common(const Walk<A, G>& walk, RayState<A, G>& ray, typename A::
 
 }  // namespace traversal_detail
 
-/// ray_setup: clips to slab and map, makes the three lines, finds the start cell and level. kMiss: dead at
+/// ray_setup: clips to slab and map, makes the three plane times, finds the start cell and level. kMiss: dead at
 /// set-up, 0 steps.
 template <class A, class G>
 Visit start(const Walk<A, G>& walk, const MachineRay& input, RayState<A, G>& ray) {
@@ -125,9 +125,9 @@ Visit start(const Walk<A, G>& walk, const MachineRay& input, RayState<A, G>& ray
   const int64_t dx = flip_x ? -input.dx : input.dx, dy = flip_y ? -input.dy : input.dy;
   const int64_t x0 = flip_x ? (walk.x.size << f) - input.x0 : input.x0;
   const int64_t y0 = flip_y ? (walk.y.size << f) - input.y0 : input.y0;
-  ray.x = A::plane_line(x0, dx, walk.format);
-  ray.y = A::plane_line(y0, dy, walk.format);
-  ray.z = A::height_line(input.z0, input.dz, walk.format);
+  ray.x = A::plane_time(x0, dx, walk.format);
+  ray.y = A::plane_time(y0, dy, walk.format);
+  ray.z = A::height_time(input.z0, input.dz, walk.format);
   ray.rising = input.dz > 0;
   ray.t_max = A::limit(input, walk.format);
   ray.t_root = A::at(ray.z, walk.root_bound);

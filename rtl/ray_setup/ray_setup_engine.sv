@@ -121,7 +121,7 @@ module ray_setup_engine #(
     mantissa_of = (MantissaBits + 1)'(((state >> (DivBits + ExtraBits)) + DivideBits'(1)) >> 1);
   endfunction
 
-`include "common/line_functions.svh"
+`include "common/plane_time_functions.svh"
 
   // The start cell, two bits from `bit_number` down: a plane that the ray has passed at t belongs to it.
   function automatic logic [SearchBits-1:0] search_2(input logic [SearchBits-1:0] state,

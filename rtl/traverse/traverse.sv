@@ -99,7 +99,7 @@ module traverse #(
   localparam int CrossedBits = HmtLevelBits + 1;
   localparam int StateBits = 32 + 2 + CrossedBits + 3;
 
-`include "common/line_functions.svh"
+`include "common/plane_time_functions.svh"
 
   // Product over the breadth of a node.
   function automatic logic signed [ProductBits-1:0] breadth(input logic [MantissaBits:0] mantissa,

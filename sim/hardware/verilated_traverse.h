@@ -79,7 +79,7 @@ class VerilatedTraverse final : public VerilatedUnit<V, TraversePort> {
     r.in_id_i = number;
     r.in_dead_i = dead;
     // The hardware keeps mantissas without their fraction shift; a falling z has both signs turned.
-    auto line = [&](const FixedArithmetic::Line& l, bool turned, auto& m, auto& o, auto& e, auto& still) {
+    auto line = [&](const FixedArithmetic::PlaneTime& l, bool turned, auto& m, auto& o, auto& e, auto& still) {
       const int64_t sign = turned ? -1 : 1;
       set_port(m, static_cast<uint64_t>(sign * l.slope) >> fraction_bits_);
       set_port(o, static_cast<uint64_t>(sign * l.offset) & product_mask_);

@@ -1,4 +1,5 @@
-// The arithmetic of a line, for modules with the parameters ProductBits, MantissaBits, FractionBits, TimeBits and
+// The arithmetic of a plane time (the time at which a ray crosses a plane, or reaches a height), for modules with the
+// parameters ProductBits, MantissaBits, FractionBits, TimeBits and
 // ShiftBits. Times saturate at t_end; a negative one is given as 0.
 
   // Product of a plane (or height) and a slope, less the offset.
