@@ -53,10 +53,22 @@ function(cuesta_rtl_set NAME)
   list(FILTER of_traverse EXCLUDE REGEX "^(Setup.*|SizeBytes|LineBytes|Ways|Mshrs)=")
   cuesta_verilated(traverse_${NAME} TOP traverse PREFIX Vtraverse_${NAME} WAVES ${assert}
       SOURCES "${CUESTA_TRAVERSE_SV}" PARAMETERS ${of_traverse} AddressBits=32)
+  # Constants alone: what set_${NAME}.cpp holds the model's widths against.
+  set(of_widths ${ARG_PARAMETERS})
+  list(FILTER of_widths INCLUDE REGEX "^(MaxLevel|HeightBits|FractionBits|DirectionBits|MantissaBits|TileBits)=")
+  list(TRANSFORM of_widths PREPEND "-G")
+  set(widths_folder "${CMAKE_CURRENT_BINARY_DIR}/hmt_widths_${NAME}")
+  set(widths_header "${widths_folder}/Vhmt_widths_${NAME}_hmt_widths.h")
+  add_custom_command(OUTPUT "${widths_header}"
+      COMMAND "${VERILATOR_BIN}" --cc -Wno-fatal -Wno-UNUSED "-I${PROJECT_SOURCE_DIR}/rtl" ${of_widths}
+          --prefix Vhmt_widths_${NAME} --Mdir "${widths_folder}" "${PROJECT_SOURCE_DIR}/rtl/common/hmt_widths.sv"
+      DEPENDS "${PROJECT_SOURCE_DIR}/rtl/common/hmt_widths.sv" "${PROJECT_SOURCE_DIR}/rtl/common/ray_widths.svh"
+      COMMENT "Widths of the set ${NAME}" VERBATIM)
   list(JOIN ARG_VALUES ", " VALUES)
   configure_file("${PROJECT_SOURCE_DIR}/sim/hardware/set.cpp.in" "set_${NAME}.cpp" @ONLY)
-  cuesta_library(cuesta_rtl_${NAME} SOURCES "${CMAKE_CURRENT_BINARY_DIR}/set_${NAME}.cpp"
+  cuesta_library(cuesta_rtl_${NAME} SOURCES "${CMAKE_CURRENT_BINARY_DIR}/set_${NAME}.cpp" "${widths_header}"
       PRIVATE_DEPENDS hmt_top_${NAME} traverse_${NAME})
+  target_include_directories(cuesta_rtl_${NAME} PRIVATE "${widths_folder}")
   set_target_properties(cuesta_rtl_${NAME} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden)
   target_compile_definitions(cuesta_rtl_${NAME} PRIVATE CUESTA_RTL_WAVES $<$<BOOL:${CUESTA_RTL_COVERAGE}>:CUESTA_RTL_COVERAGE>)
 endfunction()

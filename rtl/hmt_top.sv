@@ -1,11 +1,12 @@
 // hmt_top: one heightmap-traversal pipeline: ray_setup, traverse and its height_l1.
 //
-// Ports: ray stream in and hit stream out (valid/ready, in the units of models/traversal/machine_ray.h and hit.h),
+// Ports: ray stream in and hit stream out (valid/ready, in the units of models/rays/machine_ray.h and hit.h),
 // AXI4 read channels to memory (AR and R; one beat is one line, the ID is the MSHR's number, so replies may come in
 // any order), a register file for configuration, and counters that carry the model's names.
 // Configuration is written while no ray is inside.
 
 `include "traverse/traverse_types.svh"
+`include "common/hmt_registers.svh"
 
 module hmt_top #(
 `include "common/ray_widths.svh"
@@ -76,12 +77,6 @@ module hmt_top #(
   localparam int ContextBits = (Contexts > 1) ? $clog2(Contexts) : 1;
 
   // ---- Configuration registers
-  localparam logic [5:0] AtMode = 6'd0;
-  localparam logic [5:0] AtTimeEnd = 6'd1;
-  localparam logic [5:0] AtRootBound = 6'd2;
-  localparam logic [5:0] AtLevelBase = 6'd16;  // and 14 more
-  // Counters from 32 on.
-
   logic [HmtLevelBits-1:0] root_level_q, stop_level_q;
   logic [1:0] start_q, down_q;
   logic [2:0] up_q;
@@ -97,13 +92,19 @@ module hmt_top #(
       root_bound_q <= '0;
       level_base_q <= '0;
     end else if (reg_write_i) begin
-      if (reg_address_i == AtMode) begin
-        {morton_q, stop_level_q, up_q, down_q, start_q, border_q, root_level_q} <= reg_data_i[16:0];
+      if (reg_address_i == HmtAtMode) begin
+        root_level_q <= reg_data_i[HmtModeRootLevel+:HmtLevelBits];
+        border_q <= reg_data_i[HmtModeBorder];
+        start_q <= reg_data_i[HmtModeStart+:2];
+        down_q <= reg_data_i[HmtModeDown+:2];
+        up_q <= reg_data_i[HmtModeUp+:3];
+        stop_level_q <= reg_data_i[HmtModeStopLevel+:HmtLevelBits];
+        morton_q <= reg_data_i[HmtModeMorton];
       end
-      if (reg_address_i == AtTimeEnd) t_end_q <= reg_data_i[TimeBits-1:0];
-      if (reg_address_i == AtRootBound) root_bound_q <= reg_data_i[HeightBits-1:0];
+      if (reg_address_i == HmtAtTimeEnd) t_end_q <= reg_data_i[TimeBits-1:0];
+      if (reg_address_i == HmtAtRootBound) root_bound_q <= reg_data_i[HeightBits-1:0];
       for (int unsigned level = 0; level <= MaxLevel; level++) begin
-        if (reg_address_i == AtLevelBase + 6'(level)) begin
+        if (reg_address_i == HmtAtLevelBase + 6'(level)) begin
           level_base_q[level*AddressBits+:AddressBits] <= reg_data_i[AddressBits-1:0];
         end
       end
@@ -393,30 +394,38 @@ module hmt_top #(
     reg_data_o = '0;
     if (reg_read_i) begin
       case (reg_address_i)
-        AtMode: reg_data_o = 64'({morton_q, stop_level_q, up_q, down_q, start_q, border_q, root_level_q});
-        AtTimeEnd: reg_data_o = 64'(t_end_q);
-        AtRootBound: reg_data_o = 64'(root_bound_q);
-        6'd32: reg_data_o = ray_setup_rays_q;
-        6'd33: reg_data_o = traverse_rays_q;
-        6'd34: reg_data_o = traverse_hits_q;
-        6'd35: reg_data_o = height_l1_hits_q + traverse_replays_q;  // traverse_slots_step
-        6'd36: reg_data_o = height_l1_misses_q + height_l1_merges_q;  // traverse_slots_miss
-        6'd37: reg_data_o = height_l1_refused_q;  // traverse_slots_refused
-        6'd38: reg_data_o = traverse_slots_dead_q;
-        6'd39: reg_data_o = traverse_bubble_contexts_full_q;
-        6'd40: reg_data_o = traverse_bubble_no_ray_q;
-        6'd41: reg_data_o = traverse_bubble_drain_q;
-        6'd42: reg_data_o = traverse_stall_hit_queue_q;
-        6'd43: reg_data_o = traverse_replays_q;
-        6'd44: reg_data_o = height_l1_hits_q + height_l1_misses_q + height_l1_merges_q + height_l1_refused_q;  // accesses
-        6'd45: reg_data_o = height_l1_hits_q;
-        6'd46: reg_data_o = height_l1_misses_q;
-        6'd47: reg_data_o = height_l1_merges_q;
-        6'd48: reg_data_o = height_l1_refused_q;
-        6'd49: reg_data_o = height_l1_fills_q;
-        6'd50: reg_data_o = height_l1_evictions_q;
-        6'd51: reg_data_o = traverse_resident_cycles_q;
-        6'd52: reg_data_o = height_l1_mshr_cycles_q;
+        HmtAtMode: begin
+          reg_data_o[HmtModeRootLevel+:HmtLevelBits] = root_level_q;
+          reg_data_o[HmtModeBorder] = border_q;
+          reg_data_o[HmtModeStart+:2] = start_q;
+          reg_data_o[HmtModeDown+:2] = down_q;
+          reg_data_o[HmtModeUp+:3] = up_q;
+          reg_data_o[HmtModeStopLevel+:HmtLevelBits] = stop_level_q;
+          reg_data_o[HmtModeMorton] = morton_q;
+        end
+        HmtAtTimeEnd: reg_data_o = 64'(t_end_q);
+        HmtAtRootBound: reg_data_o = 64'(root_bound_q);
+        HmtAtCounter + 6'd0: reg_data_o = ray_setup_rays_q;
+        HmtAtCounter + 6'd1: reg_data_o = traverse_rays_q;
+        HmtAtCounter + 6'd2: reg_data_o = traverse_hits_q;
+        HmtAtCounter + 6'd3: reg_data_o = height_l1_hits_q + traverse_replays_q;  // traverse_slots_step
+        HmtAtCounter + 6'd4: reg_data_o = height_l1_misses_q + height_l1_merges_q;  // traverse_slots_miss
+        HmtAtCounter + 6'd5: reg_data_o = height_l1_refused_q;  // traverse_slots_refused
+        HmtAtCounter + 6'd6: reg_data_o = traverse_slots_dead_q;
+        HmtAtCounter + 6'd7: reg_data_o = traverse_bubble_contexts_full_q;
+        HmtAtCounter + 6'd8: reg_data_o = traverse_bubble_no_ray_q;
+        HmtAtCounter + 6'd9: reg_data_o = traverse_bubble_drain_q;
+        HmtAtCounter + 6'd10: reg_data_o = traverse_stall_hit_queue_q;
+        HmtAtCounter + 6'd11: reg_data_o = traverse_replays_q;
+        HmtAtCounter + 6'd12: reg_data_o = height_l1_hits_q + height_l1_misses_q + height_l1_merges_q + height_l1_refused_q;  // accesses
+        HmtAtCounter + 6'd13: reg_data_o = height_l1_hits_q;
+        HmtAtCounter + 6'd14: reg_data_o = height_l1_misses_q;
+        HmtAtCounter + 6'd15: reg_data_o = height_l1_merges_q;
+        HmtAtCounter + 6'd16: reg_data_o = height_l1_refused_q;
+        HmtAtCounter + 6'd17: reg_data_o = height_l1_fills_q;
+        HmtAtCounter + 6'd18: reg_data_o = height_l1_evictions_q;
+        HmtAtCounter + 6'd19: reg_data_o = traverse_resident_cycles_q;
+        HmtAtCounter + 6'd20: reg_data_o = height_l1_mshr_cycles_q;
         default: ;
       endcase
     end

@@ -1,5 +1,5 @@
 // The parameters of a ray's numbers, and the widths that follow; stands first in the parameter lists of the modules that
-// a ray passes. As in models/traversal/machine_ray.h (NumberFormat, MapShape) and arithmetic.h.
+// a ray passes. As in models/rays/machine_ray.h (NumberFormat, MapShape).
     parameter int MaxLevel = 10,       // n of the largest map: 2^n texels on a side
     parameter int HeightBits = 8,      // B
     parameter int FractionBits = 8,    // f

@@ -7,6 +7,7 @@
 
 #include "models/rays/hit.h"
 #include "models/rays/machine_ray.h"
+#include "sim/hardware/hmt_registers.h"
 #include "sim/hardware/wave_port.h"
 
 namespace cuesta::rtl {
@@ -46,12 +47,5 @@ class HmtTopPort : public WavePort {
   /// The clock's edge that ends the cycle.
   virtual void clock() = 0;
 };
-
-/// Register addresses of rtl/hmt_top.sv.
-inline constexpr int kRegisterMode = 0, kRegisterTimeEnd = 1, kRegisterRootBound = 2, kRegisterLevelBase = 16,
-                     kRegisterCounter = 32;
-
-/// How many counters rtl/hmt_top.sv has; which is which, the tables beside the units say (CounterRow::rtl_register).
-inline constexpr int kCounterRegisters = 21;
 
 }  // namespace cuesta::rtl

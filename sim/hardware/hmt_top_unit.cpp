@@ -68,12 +68,12 @@ void HmtTopUnit::configure() {
   const MapShape& map = job_.work.map;
   const Schedule& schedule = job_.work.schedule;
   const NumberFormat format = job_.work.format;
-  const uint64_t mode = static_cast<uint64_t>(map.root_level) |
-                        static_cast<uint64_t>(map.address_mode == AddressMode::kBorder) << 4 |
-                        static_cast<uint64_t>(schedule.start) << 5 |
-                        static_cast<uint64_t>(schedule.down) << 7 | static_cast<uint64_t>(schedule.up) << 9 |
-                        static_cast<uint64_t>(schedule.stop_level) << 12 |
-                        static_cast<uint64_t>(job_.layout.kind() == TexelLayoutKind::kMorton) << 16;
+  const uint64_t mode = in_field(ModeField::kRootLevel, map.root_level) |
+                        in_field(ModeField::kBorder, map.address_mode == AddressMode::kBorder) |
+                        in_field(ModeField::kStart, schedule.start) |
+                        in_field(ModeField::kDown, schedule.down) | in_field(ModeField::kUp, schedule.up) |
+                        in_field(ModeField::kStopLevel, schedule.stop_level) |
+                        in_field(ModeField::kMorton, job_.layout.kind() == TexelLayoutKind::kMorton);
   const auto expect = [this](int address, uint64_t value) {
     const uint64_t held = top_->read_register(address);
     if (held == value) return;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -16,6 +17,17 @@ struct RtlParameters {
   int stages, contexts;
   int size_bytes, line_bytes, ways, mshrs;
 };
+
+/// The widths of a set, by the model's formulas (NumberFormat, MapShape; docs/design/numbers.md).
+constexpr int index_bits(const RtlParameters& p) { return p.max_level + p.tile_bits; }
+constexpr int position_bits(const RtlParameters& p) { return index_bits(p) + p.fraction_bits + 2; }
+constexpr int plane_bits(const RtlParameters& p) { return index_bits(p) + 3; }
+constexpr int product_bits(const RtlParameters& p) {
+  return std::max(index_bits(p) + 2, p.height_bits + 1) + p.fraction_bits + p.mantissa_bits + 2;
+}
+constexpr int width_of_time(const RtlParameters& p) {
+  return std::max(index_bits(p), p.height_bits) + p.fraction_bits + p.mantissa_bits;
+}
 
 /// One set of parameters for which there is Verilated hardware. `seed`: of the values that registers without
 /// a reset begin with; 0: zeros.

@@ -15,9 +15,9 @@ class VerilatedHmtTop final : public VerilatedUnit<V, HmtTopPort> {
   VerilatedHmtTop(const RtlParameters& set, int seed, const VerilatedRegions<V>& regions)
       : VerilatedUnit<V, HmtTopPort>("hmt_top", seed, regions),
         line_bytes_(static_cast<size_t>(set.line_bytes)),
-        position_mask_((uint64_t{1} << (set.max_level + set.tile_bits + set.fraction_bits + 2)) - 1),
+        position_mask_((uint64_t{1} << position_bits(set)) - 1),
         direction_mask_((uint64_t{1} << (set.direction_bits + 1)) - 1),
-        plane_bits_(set.max_level + set.tile_bits + 3) {}
+        plane_bits_(plane_bits(set)) {}
 
   void reset() override {
     rtl().rst_ni = 0;

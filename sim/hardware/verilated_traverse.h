@@ -12,11 +12,9 @@ class VerilatedTraverse final : public VerilatedUnit<V, TraversePort> {
  public:
   VerilatedTraverse(const RtlParameters& set, int seed, const VerilatedRegions<V>& regions)
       : VerilatedUnit<V, TraversePort>("traverse", seed, regions),
-        plane_bits_(set.max_level + set.tile_bits + 3),
+        plane_bits_(plane_bits(set)),
         fraction_bits_(set.fraction_bits),
-        product_mask_((uint64_t{1} << (std::max(set.max_level + set.tile_bits + 2, set.height_bits + 1) +
-                                       set.fraction_bits + set.mantissa_bits + 2)) -
-                      1) {}
+        product_mask_((uint64_t{1} << product_bits(set)) - 1) {}
 
   void reset() override {
     rtl().rst_ni = 0;
@@ -79,7 +77,8 @@ class VerilatedTraverse final : public VerilatedUnit<V, TraversePort> {
     r.in_id_i = number;
     r.in_dead_i = dead;
     // The hardware keeps mantissas without their fraction shift; a falling z has both signs turned.
-    auto line = [&](const FixedArithmetic::PlaneTime& l, bool turned, auto& m, auto& o, auto& e, auto& still) {
+    auto line = [&](const FixedArithmetic::PlaneTime& l, bool turned, auto& m, auto& o, auto& e,
+                    auto& still) {
       const int64_t sign = turned ? -1 : 1;
       set_port(m, static_cast<uint64_t>(sign * l.slope) >> fraction_bits_);
       set_port(o, static_cast<uint64_t>(sign * l.offset) & product_mask_);
