@@ -16,5 +16,4 @@ if(BUILD_TESTING)
   find_package(GTest REQUIRED CONFIG)              # GTest::gtest, GTest::gtest_main, GTest::gmock
   include(GoogleTest)
   find_package(benchmark REQUIRED CONFIG)          # benchmark::benchmark_main
-  find_package(rapidcheck REQUIRED CONFIG)         # rapidcheck
 endif()

@@ -1,4 +1,4 @@
-# Run by the build (cmake -P): writes OUTPUT, a header with kSourcesKey, a digest of the files SOURCES and of the names SETS.
+# Run by the build (cmake -P): writes OUTPUT, a header with kSourcesKey, a digest of the files SOURCES and the names SETS.
 set(text "${SETS}")
 foreach(source IN LISTS SOURCES)
   file(SHA256 "${source}" digest)

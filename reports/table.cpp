@@ -12,7 +12,7 @@
 namespace cuesta {
 namespace {
 
-struct Column {
+struct TextColumn {
   const char* name;
   const char* heading;
   const char* unit;          ///< second line of the heading
@@ -20,7 +20,7 @@ struct Column {
   const char* absent = "-";  ///< for runs without the number, where others have it
 };
 
-constexpr Column kColumns[] = {
+constexpr TextColumn kTextColumns[] = {
     {"wrong_rays", "wrong", "rays", "", "exact"}, {"nan_rays", "NaN", "rays", ""},
     {"endless_rays", "endless", "rays", ""},      {"steps_per_ray", "steps", "/ray", ""},
     {"", "", "vs oh2006", "steps_per_ray"},       {"machine.cycles", "cycles", "", ""},
@@ -30,7 +30,7 @@ constexpr Column kColumns[] = {
     {"dram_bytes_per_ray", "bytes", "/ray", ""},  {"dram_utilisation", "DRAM", "peak used", ""},
 };
 
-std::string text_of(const Result& result, const RunEntry& run, const Column& column) {
+std::string text_of(const Result& result, const RunEntry& run, const TextColumn& column) {
   if (column.against[0] != '\0') {
     const auto change = against_baseline(result, run, column.against);
     return change ? signed_percent(*change) : "";
@@ -59,7 +59,7 @@ std::string block(const Result& result, const RunGroup& group) {
     const RunEntry& run = result.runs[index];
     columns[0].push_back(label_of(result, run) + (run.partial() ? " (partial)" : ""));
   }
-  for (const Column& column : kColumns) {
+  for (const TextColumn& column : kTextColumns) {
     std::vector<std::string> cells = {column.heading, column.unit};
     if (column.against[0] != '\0' && !baseline.empty()) cells[1] = "vs " + baseline;
     bool some = false;

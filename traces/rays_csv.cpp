@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kTitle = "# cuesta rays 1, width ";
 constexpr std::string_view kTitleMiddle = ", height ";
-constexpr uint64_t kRaysBetweenWatches = 4096;
+constexpr uint64_t kRowsBetweenWatches = 4096;
 
 /// A file's name until it is whole; what still has it at the end goes.
 struct TemporaryName {
@@ -48,7 +48,7 @@ class CsvReader {
       const std::string fault = fault_of(trace.rays.back(), trace.width, trace.height);
       if (!fault.empty()) fail("this ray is damaged: " + fault);
       ids.push_back(trace.rays.back().id);
-      if (ids.size() % kRaysBetweenWatches == 0) keep_watch(watch, ids.size());
+      if (ids.size() % kRowsBetweenWatches == 0) keep_watch(watch, ids.size());
     }
     require_distinct_ids(std::move(ids), "Cannot read the ray trace " + path_);
     return trace;

@@ -8,9 +8,9 @@
 
 #include "models/files/sample_type.h"
 
-// Image files as OpenImageIO sees them, without its headers. It loads 261 shared libraries, which takes a program longer
-// to start than most of what it does; it is therefore in a module of its own, cuesta_images.so beside the program, which
-// the first image loads.
+// Image files as OpenImageIO sees them, without its headers. It loads 261 shared libraries, which takes a program
+// longer to start than most of what it does; it is therefore in a module of its own, cuesta_images.so beside the
+// program, which the first image loads.
 
 namespace cuesta {
 
@@ -70,9 +70,8 @@ class ImageCodec {
                                               const ImageLayout& layout, std::string& fault) const = 0;
 };
 
-/// OpenImageIO, from cuesta_images.so in the program's folder; for other programs of a build tree in the tree's top, where
-/// it has the program's owner. Throws Error(kResource) where the module is not there, cannot be loaded or is of another
-/// version.
+/// Loads the module cuesta_images.so, where module_path finds it, at its first call. Throws Error(kResource) where the
+/// module is not there, cannot be loaded or is of another version.
 const ImageCodec& image_codec();
 
 /// Of the classes above; the module and the program must agree on it. Whoever changes the classes counts it up.

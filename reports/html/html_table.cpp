@@ -13,7 +13,7 @@
 namespace cuesta::html {
 namespace {
 
-struct Column {
+struct HtmlColumn {
   const char* group;
   const char* name;  ///< ratio, counter or derived quantity
   const char* heading;
@@ -21,7 +21,7 @@ struct Column {
   bool compare;  ///< with the baseline, in small print
 };
 
-constexpr Column kColumns[] = {
+constexpr HtmlColumn kHtmlColumns[] = {
     {"Work", "steps_per_ray", "steps / ray", -1, true},
     {"Work", "rays_hit", "rays that hit", 0, false},
     {"Work", "wrong_rays", "rays wrong", -1, false},
@@ -41,7 +41,7 @@ constexpr Column kColumns[] = {
     {"Memory", "dram_utilisation", "peak used", 0, false},
 };
 
-std::optional<double> value_of(const RunEntry& run, const char* name) {
+std::optional<double> ratio_or_quantity(const RunEntry& run, const char* name) {
   const auto found = ratio(run, name);
   return found ? found : quantity(run, name);
 }
@@ -52,7 +52,7 @@ std::string unit_of(const char* name) {
   return "bytes";
 }
 
-std::string text_of(double value, const char* name) {
+std::string cell_text(double value, const char* name) {
   if (const RatioDefinition* definition = find_ratio(name)) {
     const std::string unit(definition->unit);
     if (unit == "fraction") return readable(value, unit);
@@ -63,11 +63,11 @@ std::string text_of(double value, const char* name) {
   return grouped(static_cast<int64_t>(value));
 }
 
-std::vector<Column> columns_with_values(const Result& result, const RunGroup& group) {
-  std::vector<Column> columns;
-  for (const Column& column : kColumns) {
+std::vector<HtmlColumn> columns_with_values(const Result& result, const RunGroup& group) {
+  std::vector<HtmlColumn> columns;
+  for (const HtmlColumn& column : kHtmlColumns) {
     for (size_t index : group.runs) {
-      if (!value_of(result.runs[index], column.name)) continue;
+      if (!ratio_or_quantity(result.runs[index], column.name)) continue;
       columns.push_back(column);
       break;
     }
@@ -75,7 +75,7 @@ std::vector<Column> columns_with_values(const Result& result, const RunGroup& gr
   return columns;
 }
 
-std::string table_head(const std::vector<Column>& columns, ShownNames& shown) {
+std::string table_head(const std::vector<HtmlColumn>& columns, ShownNames& shown) {
   std::string groups = "<tr><td></td>", names = "<tr><th scope=\"col\">algorithm</th>";
   for (size_t k = 0; k < columns.size();) {
     size_t end = k;
@@ -83,19 +83,19 @@ std::string table_head(const std::vector<Column>& columns, ShownNames& shown) {
     groups += fmt::format("<th class=\"group\" colspan=\"{}\">{}</th>", end - k, columns[k].group);
     k = end;
   }
-  for (const Column& column : columns) {
+  for (const HtmlColumn& column : columns) {
     names += "<th scope=\"col\">" + defined(column.name, column.heading, shown) + "</th>";
   }
   return "<thead>" + groups + "</tr>" + names + "</tr></thead>";
 }
 
 /// The best value among runs that compete, where more than one has it and they differ.
-std::optional<double> best_of(const Result& result, const RunGroup& group, const Column& column) {
+std::optional<double> best_of(const Result& result, const RunGroup& group, const HtmlColumn& column) {
   std::optional<double> best;
   bool differ = false;
   for (size_t index : group.runs) {
     const RunEntry& run = result.runs[index];
-    const auto value = value_of(run, column.name);
+    const auto value = ratio_or_quantity(run, column.name);
     if (!value || column.better == 0 || !competes(run)) continue;
     differ = differ || (best && *best != *value);
     if (!best || (*value - *best) * column.better > 0) best = value;
@@ -103,9 +103,9 @@ std::optional<double> best_of(const Result& result, const RunGroup& group, const
   return differ ? best : std::nullopt;
 }
 
-std::string cell_of(const Result& result, const RunEntry& run, const Column& column,
+std::string cell_of(const Result& result, const RunEntry& run, const HtmlColumn& column,
                     std::optional<double> best) {
-  const auto value = value_of(run, column.name);
+  const auto value = ratio_or_quantity(run, column.name);
   if (!value) return "<td class=\"none\">-</td>";
   const bool is_best = best && *value == *best && competes(run);
   std::string exact = *value == std::floor(*value) && std::fabs(*value) < 1e15
@@ -114,7 +114,7 @@ std::string cell_of(const Result& result, const RunEntry& run, const Column& col
   std::string unit = unit_of(column.name);
   std::string cell =
       fmt::format("<td{} data-tip=\"{}\">{}", is_best ? " class=\"best\"" : "",
-                  escape(exact + (unit.empty() ? "" : " " + unit)), escape(text_of(*value, column.name)));
+                  escape(exact + (unit.empty() ? "" : " " + unit)), escape(cell_text(*value, column.name)));
   const auto change = column.compare ? against_baseline(result, run, column.name) : std::nullopt;
   if (change) cell += "<small>" + escape(signed_percent(*change)) + "</small>";
   return cell + "</td>";
@@ -123,7 +123,7 @@ std::string cell_of(const Result& result, const RunEntry& run, const Column& col
 }  // namespace
 
 std::string comparison_table(const Result& result, const RunGroup& group, ShownNames& shown) {
-  const std::vector<Column> columns = columns_with_values(result, group);
+  const std::vector<HtmlColumn> columns = columns_with_values(result, group);
   std::string html =
       "<div class=\"scroll\"><table class=\"numbers\">" + table_head(columns, shown) + "<tbody>";
   for (size_t index : group.runs) {
@@ -135,7 +135,8 @@ std::string comparison_table(const Result& result, const RunGroup& group, ShownN
                           grouped(static_cast<int64_t>(run.all_rays)));
     }
     html += "</th>";
-    for (const Column& column : columns) html += cell_of(result, run, column, best_of(result, group, column));
+    for (const HtmlColumn& column : columns)
+      html += cell_of(result, run, column, best_of(result, group, column));
     html += "</tr>";
   }
   html += "</tbody></table></div>";

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLabelHeight = 18;
 constexpr int kBarHeight = 16;
-constexpr int kRowHeight = 44;
+constexpr int kBarRowHeight = 44;
 
 double length_of(const Bar& bar) {
   double sum = 0;
@@ -61,7 +61,7 @@ std::string svg_bar_plot(const BarPlot& plot) {
   std::string figure = "<figure class=\"plot\"><figcaption>" + plot.title;
   if (!plot.remark.empty()) figure += "<small>" + plot.remark + "</small>";
   figure += "</figcaption>" + legend_list(plot.legend);
-  const auto height = static_cast<int>(plot.bars.size()) * kRowHeight;
+  const auto height = static_cast<int>(plot.bars.size()) * kBarRowHeight;
   figure += fmt::format("<svg class=\"bars\" width=\"100%\" height=\"{}\">", height);
   int top = 0;
   for (const Bar& bar : plot.bars) {
@@ -76,7 +76,7 @@ std::string svg_bar_plot(const BarPlot& plot) {
           fmt::format("<line class=\"reference\" x1=\"{0:.3f}%\" x2=\"{0:.3f}%\" y1=\"{1}\" y2=\"{2}\"/>", x,
                       top + kLabelHeight - 2, top + kLabelHeight + kBarHeight + 2);
     }
-    top += kRowHeight;
+    top += kBarRowHeight;
   }
   return figure + "</svg></figure>\n";
 }

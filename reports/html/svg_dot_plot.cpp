@@ -11,19 +11,19 @@
 namespace cuesta::html {
 namespace {
 
-constexpr int kRowHeight = 40;
-constexpr int kDotY = 26;      // below the row's top
-constexpr double kMargin = 2;  // per cent left free at both ends, for dots that lie there
+constexpr int kDotRowHeight = 40;
+constexpr int kDotY = 26;         // below the row's top
+constexpr double kDotMargin = 2;  // per cent left free at both ends, for dots that lie there
 
-struct Axis {
+struct DotAxis {
   int low = 0, high = 1;  ///< powers of ten
 
   double place(double value) const {
-    return kMargin + (100 - 2 * kMargin) * (std::log10(value) - low) / (high - low);
+    return kDotMargin + (100 - 2 * kDotMargin) * (std::log10(value) - low) / (high - low);
   }
 };
 
-Axis axis_for(const DotPlot& plot) {
+DotAxis axis_for(const DotPlot& plot) {
   double least = 0, most = 0;
   for (const DotRow& row : plot.rows) {
     for (const Segment& dot : row.dots) {
@@ -37,7 +37,7 @@ Axis axis_for(const DotPlot& plot) {
   return {low, std::max(low + 1, static_cast<int>(std::ceil(std::log10(most))))};
 }
 
-std::string row_marks(const DotRow& row, const Axis& axis, int top) {
+std::string row_marks(const DotRow& row, const DotAxis& axis, int top) {
   double first = 100, last = 0;
   for (const Segment& dot : row.dots) {
     if (dot.value <= 0) continue;
@@ -66,8 +66,8 @@ std::string row_marks(const DotRow& row, const Axis& axis, int top) {
 }  // namespace
 
 std::string svg_dot_plot(const DotPlot& plot) {
-  const Axis axis = axis_for(plot);
-  const int bottom = static_cast<int>(plot.rows.size()) * kRowHeight;
+  const DotAxis axis = axis_for(plot);
+  const int bottom = static_cast<int>(plot.rows.size()) * kDotRowHeight;
   std::string figure = "<figure class=\"plot\"><figcaption>" + plot.title + "<small>" + plot.remark +
                        "</small></figcaption>" + legend_list(plot.legend);
   figure += fmt::format("<svg class=\"dots\" width=\"100%\" height=\"{}\">", bottom + 18);
@@ -82,7 +82,7 @@ std::string svg_dot_plot(const DotPlot& plot) {
   int top = 0;
   for (const DotRow& row : plot.rows) {
     figure += row_marks(row, axis, top);
-    top += kRowHeight;
+    top += kDotRowHeight;
   }
   return figure + "</svg></figure>\n";
 }

@@ -13,12 +13,12 @@
 namespace cuesta::html {
 namespace {
 
-constexpr int kTop = 18;      // room for the highest label
-constexpr int kHeight = 220;  // of the area between the axes
-constexpr int kBottom = 22;
+constexpr int kLineTop = 18;      // room for the highest label
+constexpr int kLineHeight = 220;  // of the area between the axes
+constexpr int kLineBottom = 22;
 
 /// The y axis: from `low` (0, or above it where logarithmic) to `high`.
-struct Axis {
+struct LineAxis {
   bool logarithmic;
   double low, high;
 
@@ -27,7 +27,7 @@ struct Axis {
     if (!logarithmic) return value / high;
     return std::log(value / low) / std::log(high / low);
   }
-  double y(double value) const { return kTop + kHeight * (1 - place(value)); }
+  double y(double value) const { return kLineTop + kLineHeight * (1 - place(value)); }
   std::vector<double> ticks() const {
     std::vector<double> values;
     if (!logarithmic) {
@@ -45,7 +45,7 @@ struct Axis {
   }
 };
 
-Axis axis_of(const LinePlot& plot) {
+LineAxis axis_of(const LinePlot& plot) {
   double highest = plot.reference, lowest = plot.reference > 0 ? plot.reference : HUGE_VAL;
   for (const Line& line : plot.lines) {
     for (double value : line.values) {
@@ -63,7 +63,7 @@ Axis axis_of(const LinePlot& plot) {
   return {true, low, high > low ? high : 10 * low};
 }
 
-std::string path_of(const LinePlot& plot, const Line& line, const Axis& axis) {
+std::string path_of(const LinePlot& plot, const Line& line, const LineAxis& axis) {
   std::string path;
   bool pen_down = false;
   for (size_t k = 0; k < plot.places.size(); ++k) {
@@ -78,7 +78,7 @@ std::string path_of(const LinePlot& plot, const Line& line, const Axis& axis) {
   return path;
 }
 
-std::string axes(const LinePlot& plot, const Axis& axis) {
+std::string line_axes(const LinePlot& plot, const LineAxis& axis) {
   std::string svg;
   const std::vector<double> ticks = axis.ticks();
   for (double value : ticks) {
@@ -94,7 +94,7 @@ std::string axes(const LinePlot& plot, const Axis& axis) {
   for (const auto& [place, text] : plot.x_ticks) {
     const char* anchor = place < 0.04 ? "start" : place > 0.96 ? "end" : "middle";
     svg += fmt::format("<text class=\"tick\" x=\"{:.2f}%\" y=\"{}\" text-anchor=\"{}\">{}</text>",
-                       100 * place, kTop + kHeight + 16, anchor, escape(text));
+                       100 * place, kLineTop + kLineHeight + 16, anchor, escape(text));
   }
   return svg;
 }
@@ -112,7 +112,7 @@ std::string data_for_script(const LinePlot& plot) {
 }  // namespace
 
 std::string svg_line_plot(const LinePlot& plot) {
-  const Axis axis = axis_of(plot);
+  const LineAxis axis = axis_of(plot);
   std::vector<LegendEntry> legend;
   for (const Line& line : plot.lines) legend.push_back({line.css_class, line.label, ""});
   std::string figure = "<figure class=\"plot lines\"><figcaption>" + plot.title;
@@ -121,12 +121,12 @@ std::string svg_line_plot(const LinePlot& plot) {
   figure += fmt::format(
       "<div class=\"area\" tabindex=\"0\" role=\"img\" aria-label=\"Line plot; arrow keys read values\">"
       "<svg width=\"100%\" height=\"{}\">",
-      kTop + kHeight + kBottom);
-  figure += axes(plot, axis);
+      kLineTop + kLineHeight + kLineBottom);
+  figure += line_axes(plot, axis);
   figure += fmt::format(
       "<svg x=\"0\" y=\"{}\" width=\"100%\" height=\"{}\" viewBox=\"0 0 1000 1000\" "
       "preserveAspectRatio=\"none\" overflow=\"visible\">",
-      kTop, kHeight);
+      kLineTop, kLineHeight);
   for (const Line& line : plot.lines) {
     figure += fmt::format("<path class=\"line {0}\" data-series=\"{0}\" d=\"{1}\"/>", line.css_class,
                           path_of(plot, line, axis));

@@ -12,11 +12,11 @@
 namespace cuesta::html {
 namespace {
 
-constexpr int kTop = 30;
-constexpr int kHeight = 330;  // down to the least value above 0
-constexpr int kZero = 26;     // from there to the line of 0
-constexpr int kBottom = 38;
-constexpr double kMargin = 3;  // per cent left free at both sides
+constexpr int kScatterTop = 30;
+constexpr int kScatterHeight = 330;  // down to the least value above 0
+constexpr int kZero = 26;            // from there to the line of 0
+constexpr int kScatterBottom = 38;
+constexpr double kScatterMargin = 3;  // per cent left free at both sides
 constexpr double kLargestDot = 13;
 
 /// One logarithmic axis, from a round value below the least to one above the largest.
@@ -68,16 +68,17 @@ struct Scales {
     if (x_most > 0) x = LogAxis::around(x_least, x_most);
     if (y_most > 0) y = LogAxis::around(y_least, y_most);
   }
-  double left(double value) const { return kMargin + (100 - 2 * kMargin) * x.place(value); }
+  double left(double value) const { return kScatterMargin + (100 - 2 * kScatterMargin) * x.place(value); }
   double top(double value) const {
-    return value > 0 ? kTop + kHeight * (1 - y.place(value)) : kTop + kHeight + kZero;
+    return value > 0 ? kScatterTop + kScatterHeight * (1 - y.place(value))
+                     : kScatterTop + kScatterHeight + kZero;
   }
   double radius(double area) const {
     return largest_area > 0 ? std::max(3.0, kLargestDot * std::sqrt(area / largest_area)) : 5;
   }
 };
 
-std::string axes(const ScatterPlot& plot, const Scales& scales) {
+std::string scatter_axes(const ScatterPlot& plot, const Scales& scales) {
   std::string svg;
   for (const double value : scales.y.ticks()) {
     const double y = scales.top(value);
@@ -90,7 +91,7 @@ std::string axes(const ScatterPlot& plot, const Scales& scales) {
   for (const double value : scales.x.ticks()) {
     const double x = scales.left(value);
     svg += fmt::format("<line class=\"grid\" x1=\"{0:.2f}%\" x2=\"{0:.2f}%\" y1=\"{1}\" y2=\"{2:.1f}\"/>", x,
-                       kTop, zero);
+                       kScatterTop, zero);
     svg += fmt::format("<text class=\"tick\" x=\"{:.2f}%\" y=\"{:.1f}\" text-anchor=\"middle\">{}</text>", x,
                        zero + 16, escape(with_prefix(value, "")));
   }
@@ -132,10 +133,11 @@ std::string svg_scatter_plot(const ScatterPlot& plot) {
   const Scales scales(plot);
   std::vector<LegendEntry> legend;
   for (const ScatterSeries& series : plot.series) legend.push_back({series.css_class, series.label, ""});
-  const int height = kTop + kHeight + kZero + kBottom;
+  const int height = kScatterTop + kScatterHeight + kZero + kScatterBottom;
   std::string figure = "<figure class=\"plot\"><figcaption>" + plot.title + "<small>" + plot.remark +
                        "</small></figcaption>" + legend_list(legend);
-  figure += fmt::format("<svg class=\"scatter\" width=\"100%\" height=\"{}\">", height) + axes(plot, scales);
+  figure += fmt::format("<svg class=\"scatter\" width=\"100%\" height=\"{}\">", height) +
+            scatter_axes(plot, scales);
   figure += fmt::format(
       "<svg x=\"0\" y=\"0\" width=\"100%\" height=\"{0}\" viewBox=\"0 0 1000 {0}\" "
       "preserveAspectRatio=\"none\">",

@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-StudyTimes parsed(const Json& json) {
+StudyTimes parsed_times(const Json& json) {
   if (json.at("schema") != kTimesSchema) throw input_error("its schema is " + json.at("schema").dump());
   StudyTimes times;
   json.at("host").get_to(times.host);
@@ -57,7 +57,7 @@ std::string times_json(const StudyTimes& times) {
 
 StudyTimes parse_times_json(const std::string& text, const std::string& where) {
   try {
-    return parsed(Json::parse(text));
+    return parsed_times(Json::parse(text));
   } catch (const Error& error) {
     throw input_error(where + " does not hold the wall times of a study: " + error.what() +
                       "; accepted is a times.json of schema " + std::string(kTimesSchema) + ".");

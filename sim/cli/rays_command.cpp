@@ -54,7 +54,7 @@ void print_summary(const std::string& path, const RaySummary& summary) {
   }
 }
 
-class InfoCommand : public Command {
+class RaysInfoCommand : public Command {
  public:
   void declare(Options& options) override { options.add("file", file_, "A .rays or .csv file").required(); }
   ExitCode run(const Session&) override {
@@ -122,7 +122,7 @@ class ConvertCommand : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_rays_info_command() { return make_command<InfoCommand>(); }
+std::unique_ptr<Command> make_rays_info_command() { return make_command<RaysInfoCommand>(); }
 std::unique_ptr<Command> make_rays_check_command() { return make_command<CheckCommand>(); }
 std::unique_ptr<Command> make_rays_convert_command() { return make_command<ConvertCommand>(); }
 

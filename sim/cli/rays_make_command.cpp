@@ -14,7 +14,7 @@
 namespace cuesta {
 namespace {
 
-class MakeCommand : public Command {
+class RaysMakeCommand : public Command {
  public:
   void declare(Options& options) override {
     std::string kinds = "What rays:";
@@ -82,6 +82,6 @@ class MakeCommand : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_rays_make_command() { return make_command<MakeCommand>(); }
+std::unique_ptr<Command> make_rays_make_command() { return make_command<RaysMakeCommand>(); }
 
 }  // namespace cuesta

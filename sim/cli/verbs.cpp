@@ -42,7 +42,7 @@ struct Group {
   std::string_view name, sentence;
 };
 
-constexpr Group kGroups[] = {
+constexpr Group kVerbGroups[] = {
     {"heightmap", "Make a heightmap, or see what a file holds and how it will be read."},
     {"rays", "Make a set of rays, look into a ray trace, convert it to and from CSV, check it."},
     {"verify", "Hold results against exact arithmetic, the hardware or the laws of the accounting."},
@@ -53,7 +53,7 @@ constexpr Group kGroups[] = {
 std::span<const Verb> verbs() { return kVerbs; }
 
 std::string_view group_sentence(std::string_view group) {
-  for (const Group& known : kGroups) {
+  for (const Group& known : kVerbGroups) {
     if (known.name == group) return known.sentence;
   }
   return {};

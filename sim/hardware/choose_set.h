@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "models/units/architecture.h"
+#include "models/work/workload.h"
 #include "sim/hardware/rtl_set.h"
-#include "sim/machine/machine.h"
 
 namespace cuesta::rtl {
 

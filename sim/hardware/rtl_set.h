@@ -39,8 +39,8 @@ struct RtlSet {
 };
 
 /// The sets of the module cuesta_hardware_sets.so, which the first call loads, in the order of rtl/sets.csv. They are
-/// empty where the module is not there, or the program is built with CUESTA_RTL=OFF. Throws Error(kResource) for a module
-/// that cannot be loaded or is built from other sources than the program.
+/// empty where the module is not there, or the program is built with CUESTA_RTL=OFF. Throws Error(kResource) for a
+/// module that cannot be loaded or is built from other sources than the program.
 std::span<const RtlSet> rtl_sets();
 
 }  // namespace cuesta::rtl

@@ -11,9 +11,9 @@
 #include "models/heightmap/texel_layout.h"
 #include "models/rays/map_shape.h"
 #include "models/units/hmt/hmt_unit.h"
+#include "models/work/workload.h"
 #include "sim/hardware/hmt_top_port.h"
 #include "sim/hardware/rtl_set.h"
-#include "sim/machine/machine.h"
 
 namespace cuesta::rtl {
 
@@ -28,7 +28,8 @@ struct RtlJob {
   RtlJob(const Workload& workload, const TexelLayout& texels, const RtlSet& compiled, int random_seed);
 };
 
-/// A pipeline with Verilated hardware inside, ticked cycle by cycle. What it measures is what the hardware's ports show.
+/// A pipeline with Verilated hardware inside, ticked cycle by cycle. What it measures is what the hardware's ports
+/// show.
 class RtlUnit : public HmtUnit {
  public:
   void advance(Cycle limit) final;

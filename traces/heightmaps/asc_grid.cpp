@@ -22,7 +22,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-bool parse_real(std::string_view word, double& value) {
+bool parse_grid_number(std::string_view word, double& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
   return fault == std::errc() && end == word.data() + word.size();
@@ -66,7 +66,7 @@ void AscGrid::read_header() {
     for (word_end = first; word_end < line_.size() && !space(line_[word_end]);) ++word_end;
     const std::string key = lower(std::string_view(line_).substr(first, word_end - first));
     double number;
-    if (parse_real(key, number)) {
+    if (parse_grid_number(key, number)) {
       first_number_ = start;
       first_line_ = line_number_ - 1;
       break;
@@ -78,7 +78,7 @@ void AscGrid::read_header() {
     const bool known = key == "ncols" || key == "nrows" || key == "nodata_value" || key == "cellsize" ||
                        key == "xllcorner" || key == "yllcorner" || key == "xllcenter" || key == "yllcenter" ||
                        key == "dx" || key == "dy";
-    if (!known || !parse_real(word, number)) {
+    if (!known || !parse_grid_number(word, number)) {
       refuse("has \"" + printable(line_) + "\" as line " + std::to_string(line_number_) +
              "; a header of ncols, nrows, xllcorner, yllcorner, cellsize, NODATA_value and then numbers are "
              "accepted");
@@ -133,7 +133,7 @@ bool AscGrid::next_number(double& value) {
   size_t end = at_;
   while (end < line_.size() && !space(line_[end])) ++end;
   const std::string_view word = std::string_view(line_).substr(at_, end - at_);
-  if (!parse_real(word, value)) {
+  if (!parse_grid_number(word, value)) {
     refuse("has \"" + printable(word) + "\" in line " + std::to_string(line_number_) +
            "; decimal numbers with a point are accepted");
   }

@@ -11,7 +11,7 @@
 namespace cuesta {
 namespace {
 
-std::string lower(std::string text) {
+std::string lower_name(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
@@ -26,9 +26,9 @@ std::string channel_list(const ImageFile& file) {
 
 std::optional<int> by_name(const ImageFile& file, const std::string& wanted) {
   for (size_t k = 0; k < file.channels().size(); ++k) {
-    if (lower(file.channels()[k]) == lower(wanted)) return static_cast<int>(k);
+    if (lower_name(file.channels()[k]) == lower_name(wanted)) return static_cast<int>(k);
   }
-  if (lower(wanted) == "alpha" && file.alpha_channel() >= 0) return file.alpha_channel();
+  if (lower_name(wanted) == "alpha" && file.alpha_channel() >= 0) return file.alpha_channel();
   return std::nullopt;
 }
 
@@ -42,7 +42,7 @@ std::optional<int> by_index(const ImageFile& file, const std::string& wanted) {
 }
 
 /// The name after the last dot: layers of an EXR are "layer.name".
-std::string last_part(const std::string& name) { return lower(name.substr(name.rfind('.') + 1)); }
+std::string last_part(const std::string& name) { return lower_name(name.substr(name.rfind('.') + 1)); }
 
 struct ColourScan {
   bool grey = true;  ///< R = G = B in every pixel
