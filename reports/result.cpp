@@ -26,7 +26,7 @@ std::string stem_without_number(const Result& result, const RunEntry& run) {
 
 int64_t MachineFacts::at(std::string_view path, int64_t absent) const {
   const auto row = std::find_if(parameters.begin(), parameters.end(),
-                                [&](const ParameterRow& one) { return one.path == path; });
+                                [&](const UsedParameter& one) { return one.path == path; });
   return row == parameters.end() ? absent : row->value;
 }
 

@@ -22,7 +22,7 @@ struct Input {
 };
 
 /// A parameter of the machine that a run used.
-struct ParameterRow {
+struct UsedParameter {
   std::string path;  ///< "height_l1.line_bytes"
   int64_t value = 0;
   std::string unit;  ///< "bytes"; empty for a plain number or a choice
@@ -31,7 +31,7 @@ struct ParameterRow {
 /// The resolved parameters that a run used, in the order of `cuesta list parameters`. Reports take from them by path;
 /// 0 means "does not apply", and nothing derived from it is shown.
 struct MachineFacts {
-  std::vector<ParameterRow> parameters;
+  std::vector<UsedParameter> parameters;
   int texel_bytes = 0;  ///< one height fetch: of the map, not of the machine
 
   /// Gives a parameter's value, or `absent` where the run did not use it.

@@ -139,7 +139,7 @@ TEST_F(MeasureScenes, ARunCarriesTheParametersThatItUsedByTheirPaths) {
   EXPECT_EQ(timed.pipelines(), 8);
   EXPECT_EQ(timed.dram_peak_bytes(),
             int64_t{desktop.dram.channels} * desktop.dram.bus_bytes * desktop.dram.clock_num);
-  const auto row = std::ranges::find(timed.parameters, "height_l1.line_bytes", &ParameterRow::path);
+  const auto row = std::ranges::find(timed.parameters, "height_l1.line_bytes", &UsedParameter::path);
   ASSERT_NE(row, timed.parameters.end());
   EXPECT_EQ(row->value, desktop.height_l1.line_bytes);
   EXPECT_EQ(row->unit, "bytes");
