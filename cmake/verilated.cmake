@@ -76,6 +76,18 @@ function(cuesta_verilated name)
   if(ARG_WAVES)
     set(waves TRACE_FST)
   endif()
+  # The list of what Verilator read last; where a file of it has gone, Verilator has to run again.
+  set(listed "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/${ARG_PREFIX}.dir/${ARG_PREFIX}_copy.cmake")
+  if(EXISTS "${listed}")
+    file(STRINGS "${listed}" files REGEX "^set\\(${ARG_PREFIX}_DEPS ")
+    string(REGEX MATCHALL "\"[^\"]+\"" files "${files}")
+    foreach(file IN LISTS files)
+      string(REPLACE "\"" "" file "${file}")
+      if(NOT EXISTS "${file}")
+        file(REMOVE "${listed}")
+      endif()
+    endforeach()
+  endif()
   add_library(${name} STATIC)
   verilate(${name} SOURCES "${PROJECT_SOURCE_DIR}/rtl/waivers.vlt" ${sources}
       TOP_MODULE ${ARG_TOP} PREFIX ${ARG_PREFIX} ${waves}
