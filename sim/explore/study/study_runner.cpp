@@ -1,13 +1,11 @@
 #include "sim/explore/study/study_runner.h"
 
 #include <algorithm>
-#include <condition_variable>
-#include <exception>
+#include <atomic>
 #include <map>
-#include <mutex>
-#include <thread>
 
 #include "models/common/error.h"
+#include "sim/session/parallel.h"
 
 namespace cuesta {
 namespace {
@@ -68,7 +66,7 @@ std::map<StudyPlace, const StudyCase*> known_places(const StudyData& plan, const
   return known;
 }
 
-/// Workers take batches from the last, the costly ones, to the first; the calling thread watches.
+/// Runs batches from the last, the costly ones, to the first, and keeps their counts by place.
 class Work {
  public:
   Work(const Study& study, const StudyData& plan, std::vector<StudyPlace> places)
@@ -94,22 +92,12 @@ class Work {
   }
 
   void run(int workers, const StudyProgress& progress) {
-    std::vector<std::thread> threads;
-    running_ = workers;
-    for (int k = 0; k < workers; ++k) threads.emplace_back([this] { work(); });
-    {
-      std::unique_lock lock(mutex_);
-      while (running_ > 0) {
-        changed_.wait_for(lock, std::chrono::milliseconds(100));
-        const uint64_t finished = finished_;
-        lock.unlock();
-        const bool go_on = !progress || progress(finished, places_.size());
-        lock.lock();
-        stop_ = stop_ || !go_on;
-      }
-    }
-    for (std::thread& thread : threads) thread.join();
-    if (failure_) std::rethrow_exception(failure_);
+    parallel_for(
+        batches_.size(), workers,
+        [this](size_t number, const std::atomic<bool>& stop) {
+          run_batch(batches_[batches_.size() - 1 - number], stop);
+        },
+        [&] { return !progress || progress(finished_, places_.size()); });
   }
 
   std::vector<StudyCase> cases() && {
@@ -121,41 +109,15 @@ class Work {
   }
 
  private:
-  bool take(Batch& batch) {
-    const std::lock_guard lock(mutex_);
-    if (stop_ || batches_.empty()) return false;
-    batch = batches_.back();
-    batches_.pop_back();
-    return true;
-  }
-
-  /// Takes a case's counts; false: no more cases are wanted.
-  bool finish(size_t place, std::vector<int64_t> counts) {
-    const std::lock_guard lock(mutex_);
-    counts_[place] = std::move(counts);
-    ++finished_;
-    return !stop_;
-  }
-
-  void run_batch(const Batch& batch) {
+  /// Writes the counts of its batch, which no other thread looks at; stopped, it ends the case that it runs.
+  void run_batch(const Batch& batch, const std::atomic<bool>& stop) {
     const auto runner = study_.make_runner(plan_, std::span(places_[batch.first]).first(study_.shared_axes));
     for (size_t k = batch.first; k < batch.end; ++k) {
-      // Only this worker writes the batch's counts.
-      if (counts_[k].empty() && !finish(k, runner->run(places_[k]))) return;
+      if (!counts_[k].empty()) continue;
+      counts_[k] = runner->run(places_[k]);
+      ++finished_;
+      if (stop) return;
     }
-  }
-
-  void work() {
-    try {
-      for (Batch batch{}; take(batch);) run_batch(batch);
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      stop_ = true;
-    }
-    const std::lock_guard lock(mutex_);
-    --running_;
-    changed_.notify_all();
   }
 
   const Study& study_;
@@ -163,12 +125,7 @@ class Work {
   std::vector<StudyPlace> places_;
   std::vector<Batch> batches_;
   std::vector<std::vector<int64_t>> counts_;  ///< by place; empty: not finished
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  uint64_t finished_ = 0;
-  int running_ = 0;
-  bool stop_ = false;
-  std::exception_ptr failure_;
+  std::atomic<uint64_t> finished_ = 0;
 };
 
 }  // namespace
