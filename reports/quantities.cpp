@@ -88,7 +88,8 @@ constexpr std::array kRatios = {
         "Pipeline cycles whose slot carried out a traversal step, over all pipeline cycles; the rest is "
         "in the plot of reasons."},
     RatioDefinition{"l1_hit_rate", "L1 hit rate", "fraction", "height_l1.hits", "height_l1.accesses", 1,
-                    "Height fetches that found their line in the pipeline's L1, over all height fetches."},
+                    "Lookups in the pipeline's L1 that found their line, over all lookups: retries included, "
+                    "replays left out."},
     RatioDefinition{"dram_bytes_per_ray", "DRAM bytes per ray", "bytes/ray", "dram.bytes", "machine.rays", -1,
                     "Bytes read from and written to DRAM, over the rays."},
     RatioDefinition{"dram_read_bytes_per_step", "DRAM bytes read per step", "bytes/step", "dram.read_bytes",

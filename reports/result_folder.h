@@ -10,8 +10,8 @@ namespace cuesta {
 /// that the final name holds either nothing, an older whole result, or the new whole result.
 class ResultFolder {
  public:
-  /// Throws usage_error when `path` exists, is not an empty folder, and `overwrite` is false, or when it exists and is not a result
-  /// folder (nothing else is ever replaced); Error(kResource) when nothing can be written there.
+  /// Throws usage_error when `path` exists, is not an empty folder, and `overwrite` is false, or when it exists and
+  /// is not a result folder (nothing else is ever replaced); Error(kResource) when nothing can be written there.
   static ResultFolder create(const std::filesystem::path& path, bool overwrite);
 
   ResultFolder(ResultFolder&& other) noexcept;

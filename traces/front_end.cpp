@@ -49,7 +49,8 @@ struct Pixels {
 };
 
 /// How u and v, where the ray meets the plane z = 1 (from inside the slab: z = 0), change per pixel to the right and
-/// down: the derivative of origin + s * direction with s = (z - origin_z) / direction_z. Zero for rays that never meet it.
+/// down: the derivative of origin + s * direction with s = (z - origin_z) / direction_z. Zero for rays that never
+/// meet it.
 void set_gradient(const Pixels& pixels, const double (&direction)[3], float (&gradient)[4]) {
   if (direction[2] >= 0) return;
   const double plane = pixels.origin[2] >= 1 ? 1 : 0;

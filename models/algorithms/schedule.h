@@ -42,8 +42,8 @@ inline constexpr std::string_view kDownNames[] = {"1", "2", "3", "common"};
 
 inline constexpr int kMostStopLevel = 14;  ///< the root of the largest map, 16384 on a side
 
-/// A traversal algorithm is a schedule: which nodes it looks at, never what it finds (reference: the T-space
-/// formulation in README). Pure data.
+/// A traversal algorithm is a schedule: which nodes it looks at, never what it finds (why: docs/design/time-space.md).
+/// Pure data.
 struct Schedule {
   StartRule start = StartRule::kRoot;
   int down = 1;  ///< levels per descent before the first crossing, 1 to 3 or kDownCommon; afterwards 1
@@ -95,8 +95,9 @@ inline constexpr std::string_view kScheduleSyntax =
 std::string name_of(const Schedule& schedule);
 
 /// Reads what `name_of` writes, and other spellings of the same: "yun2013", "span:2:selective-even" (which is
-/// yun2013), "root:common:never:stop=2:quad", "oh2006:quad"; from the leaves DOWN never matters and is read as 1. The `id` is the canonical name. Throws usage_error with
-/// what is accepted and the nearest name. A text whose first word names a search is read by `parse_search`.
+/// yun2013), "root:common:never:stop=2:quad", "oh2006:quad"; from the leaves DOWN never matters and is read as 1. The
+/// `id` is the canonical name. Throws usage_error with what is accepted and the nearest name. A text whose first word
+/// names a search is read by `parse_search`.
 Algorithm parse_algorithm(std::string_view text);
 
 std::string_view name_of(StartRule rule);

@@ -78,8 +78,8 @@ inline constexpr std::string_view kSearchSyntax =
 /// The canonical name: the row's id, then what differs from the row. `parse_search` reads it back.
 std::string name_of(const Search& search);
 
-/// Reads "relief", "relief:steps=64:refine=5", "cone:bilinear", "ki2007-printed:delta=0.005:slope". The first word names a row. Throws usage_error with what
-/// is accepted and the nearest name.
+/// Reads "relief", "relief:steps=64:refine=5", "cone:bilinear", "ki2007-printed:delta=0.005:slope". The first word
+/// names a row. Throws usage_error with what is accepted and the nearest name.
 Search parse_search(std::string_view text);
 
 }  // namespace cuesta

@@ -10,7 +10,8 @@
 namespace cuesta {
 
 /// A counter as one statement: its name, what it means, and where a unit keeps it. Beside each unit a table of these is
-/// what definitions, collection, registers of the hardware, `cuesta list statistics` and the documentation are made from.
+/// what definitions, collection, registers of the hardware, `cuesta list statistics` and the documentation are made
+/// from.
 template <class Counts>
 struct CounterRow {
   StatisticDefinition definition;

@@ -37,9 +37,9 @@ std::span<const MapKind> map_kinds();
 const MapKind* find_map_kind(std::string_view name);
 
 /// Makes a height map. The same arguments give the same bytes with every compiler: only + - * / and sqrt on
-/// float64, and integers. Every map tiles without a seam but `steps`, whose seam is a cliff, and a `checker` of sides that
-/// are no multiples of 16. The highest texel is at full scale (z = 1), except
-/// `flat`, which is at half of it. width, height, bits 0: the kind's own.
+/// float64, and integers. Every map tiles without a seam but `steps`, whose seam is a cliff, and a `checker` of sides
+/// that are no multiples of 16. The highest texel is at full scale (z = 1), except `flat`, which is at half of it.
+/// width, height, bits 0: the kind's own.
 /// In memory: the grid, with room for its pyramid; the relief beside it (8 bytes a texel) up to `kept_texels`;
 /// above, it is made twice, with the same heights in the end. `watch` hears of rows.
 /// Throws usage_error for an unknown kind (naming those there are), a side beyond 1 to 16384 or bits beyond 1

@@ -71,8 +71,9 @@ Pyramid build_mean_pyramid(const HeightGrid& grid);
 Pyramid build_stopped_pyramid(const Pyramid& max_pyramid, int stop_level);
 
 /// The pyramid of a bilinear surface: patch (i, j) lies between the samples (i, j), (i + 1, j), (i, j + 1) and
-/// (i + 1, j + 1). Level 0 holds the samples; node (L, i, j) above it the highest sample of the patches [i << L, (i+1) << L)
-/// x [j << L, (j+1) << L). Beyond the last column and row lie the first ones if `wraps`, else the last ones again.
+/// (i + 1, j + 1). Level 0 holds the samples; node (L, i, j) above it the highest sample of the patches [i << L,
+/// (i+1) << L) x [j << L, (j+1) << L). Beyond the last column and row lie the first ones if `wraps`, else the last
+/// ones again.
 Pyramid build_four_corner_pyramid(Pyramid&& max_pyramid, bool wraps);
 
 }  // namespace cuesta

@@ -56,7 +56,8 @@ class EdgeReach {
   uint64_t operator()(int64_t di, int64_t dj, int i, int j, bool turned_x, bool turned_y) const {
     const int lower = lower_[index(i, j)];
     if (di == 0 && dj == 0) {
-      // Clamped, the map goes on beside its outermost texels with their own height and edges: the nearest is at a corner.
+      // Clamped, the map goes on beside its outermost texels with their own height and edges: the nearest is at a
+      // corner.
       if (!goes_on(i, j)) return kNoFeature;
       const bool beside_x = i == 0 || i == width_ - 1, beside_y = j == 0 || j == height_ - 1;
       const bool edges = (beside_x && (lower & (neighbour_bit(0, -1) | neighbour_bit(0, 1))) != 0) ||

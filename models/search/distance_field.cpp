@@ -3,13 +3,14 @@
 
 #include "models/search/preprocessing.h"
 
-// A 3-D distance field (Donnelly 2005, reconstructed). The metric is ours: along the map a texel is 1, and full scale of
-// height is an eighth of the longer tile side. Layer k stands for the heights [k, k + 1) / 16 of full scale; its byte is
-// the distance from the texel's centre at the layer's middle height to the nearest solid column, each column standing on
-// its texel's centre: min over texels q of sqrt(|p - q|^2 + max(0, z_k - h_q)^2), heights cut to 1/16 texel, then rounded
-// down to 1/255 of the slab's height. Exact Euclidean: columns are taken along x, then along y, each by the lower envelope
-// of parabolas in integers (Felzenszwalb & Huttenlocher's two passes). No distance exceeds the slab's height, the way
-// straight down, so that texels further away than that need not be asked. Samples between the points are not safe.
+// A 3-D distance field (Donnelly 2005, reconstructed). The metric is ours: along the map a texel is 1, and full scale
+// of height is an eighth of the longer tile side. Layer k stands for the heights [k, k + 1) / 16 of full scale; its
+// byte is the distance from the texel's centre at the layer's middle height to the nearest solid column, each column
+// standing on its texel's centre: min over texels q of sqrt(|p - q|^2 + max(0, z_k - h_q)^2), heights cut to 1/16
+// texel, then rounded down to 1/255 of the slab's height. Exact Euclidean: columns are taken along x, then along y,
+// each by the lower envelope of parabolas in integers (Felzenszwalb & Huttenlocher's two passes). No distance exceeds
+// the slab's height, the way straight down, so that texels further away than that need not be asked. Samples between
+// the points are not safe.
 
 namespace cuesta {
 namespace {

@@ -10,8 +10,8 @@
 #include "models/heightmap/pyramid.h"
 #include "models/search/search_map.h"
 
-// What cone maps and safety radii ask of every texel: the flattest line from its centre, at its own height, to a feature
-// of the map and of the map's repetitions: the smallest distance / rise.
+// What cone maps and safety radii ask of every texel: the flattest line from its centre, at its own height, to a
+// feature of the map and of the map's repetitions: the smallest distance / rise.
 
 namespace cuesta {
 
@@ -33,7 +33,8 @@ struct FlattestLine {
 /// From the centre of texel 0 to the nearest point of texel `d` along one axis, in half texels.
 inline int64_t gap_to_texel(int64_t d) { return d == 0 ? 0 : 2 * (d < 0 ? -d : d) - 1; }
 
-/// From the centre of texel 0 to the nearest of the texels first .. last along one axis, `place` being 0's; half texels.
+/// From the centre of texel 0 to the nearest of the texels first .. last along one axis, `place` being 0's; half
+/// texels.
 inline int64_t gap_to_range(int64_t first, int64_t last, int64_t place) {
   return place < first ? 2 * (first - place) - 1 : place > last ? 2 * (place - last) - 1 : 0;
 }
@@ -52,8 +53,8 @@ inline constexpr uint64_t kNoFeature = ~uint64_t{0};
 /// at its nearest point would not be flatter than the best line so far. The answer is the exact minimum over all texels
 /// of the map and of `repetitions` copies of it on each side; of equal ones, which is found says nothing of the result.
 /// `Reach` gives the squared distance, in half texels, from the centre of a texel to the features of the texel (di, dj)
-/// away, stored at (i, j), of a copy that is turned over along x, y: reach(di, dj, i, j, turned_x, turned_y); kNoFeature
-/// if it has none in that direction.
+/// away, stored at (i, j), of a copy that is turned over along x, y: reach(di, dj, i, j, turned_x, turned_y);
+/// kNoFeature if it has none in that direction.
 template <class Reach>
 class FeatureSearch {
  public:

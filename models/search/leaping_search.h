@@ -49,8 +49,8 @@ Real time_in_cone(const SearchRay<Real>& ray, const SearchPoint<Real>& point, Re
   return closing > 0 ? room / closing : std::numeric_limits<Real>::infinity();
 }
 
-/// Upper bound, in texels, of what rounding does to a leap from `point`: a few units in the last place of everything that
-/// is added on the way.
+/// Upper bound, in texels, of what rounding does to a leap from `point`: a few units in the last place of everything
+/// that is added on the way.
 template <class Real>
 Real rounding_margin(const SearchRay<Real>& ray, const SearchPoint<Real>& point, const SearchMap& map) {
   const Real side = static_cast<Real>(std::max(map.width(), map.height()));
@@ -77,7 +77,8 @@ Real off_centre(const SearchPoint<Real>& point, const SearchCells<Real>& cells) 
 
 /// Cone step mapping (Dummer 2006) over constant texels, made safe there (ours): the cone stands on its texel's centre,
 /// not under the ray; a texel is left at its border at the least, and asked exactly, as the exact walk asks it. A hit
-/// is therefore the exact walk's, bit for bit in the same arithmetic, unless the steps were used up: then it is earlier.
+/// is therefore the exact walk's, bit for bit in the same arithmetic, unless the steps were used up: then it is
+/// earlier.
 template <class Real, class Sink>
 SearchFound<Real> cone_search(const Search& search, const SearchRay<Real>& ray,
                               const SearchSurface<Real>& surface, SearchCells<Real> cells, Sink& sink) {
@@ -108,12 +109,12 @@ SearchFound<Real> cone_search(const Search& search, const SearchRay<Real>& ray,
   return {true, t, HitFace::kTop, true, cells.i(), cells.j()};
 }
 
-/// Safety radii (Baboud & Decoret 2006, march and bisection reconstructed) over constant texels (the exact questions ours):
-/// a ray that does not rise and is above the surface leaps by the radius; found under the surface, it has pierced it once
-/// since, and halving finds where. Samples of the halving count as `refinements`; each moves an end to its cell's border
-/// or its exact hit, so that the halving ends by itself. A hit is the exact walk's, bit for bit, unless steps or
-/// refinements were used up: then it is earlier, a place that the ray reaches above the surface. Rising rays, whose every
-/// exit is through a top, and in clamp mode places outside the map go texel by texel.
+/// Safety radii (Baboud & Decoret 2006, march and bisection reconstructed) over constant texels (the exact questions
+/// ours): a ray that does not rise and is above the surface leaps by the radius; found under the surface, it has
+/// pierced it once since, and halving finds where. Samples of the halving count as `refinements`; each moves an end
+/// to its cell's border or its exact hit, so that the halving ends by itself. A hit is the exact walk's, bit for bit,
+/// unless steps or refinements were used up: then it is earlier, a place that the ray reaches above the surface.
+/// Rising rays, whose every exit is through a top, and in clamp mode places outside the map go texel by texel.
 template <class Real, class Sink>
 SearchFound<Real> safety_radius_search(const Search& search, const SearchRay<Real>& ray,
                                        const SearchSurface<Real>& surface, SearchCells<Real> cells,
@@ -182,13 +183,12 @@ SearchFound<Real> safety_radius_search(const Search& search, const SearchRay<Rea
   return here(above, HitFace::kTop);
 }
 
-/// Cones and radii over the filtered surface, where neither is safe (printed of cones: EGSR 2024), and relaxed cones, which
-/// are not on either. A sample under the surface ends the search.
-///   cone           the cone stands under the ray and there is no smallest step, as published: the ray nears the surface
-///                  without reaching it, and stops short of it when the steps are used up
-///   relaxed-cone   Policarpo & Oliveira 2007, reconstructed: the same, then `refinements` halvings between the last
-///                  place above the surface and the last one reached
-///   safety-radius  the next texel border at the least (ours), then `refinements` halvings of the last leap
+/// Cones and radii over the filtered surface, where neither is safe (printed of cones: EGSR 2024), and relaxed cones,
+/// which are not on either. A sample under the surface ends the search. cone           the cone stands under the ray
+/// and there is no smallest step, as published: the ray nears the surface without reaching it, and stops short of it
+/// when the steps are used up relaxed-cone   Policarpo & Oliveira 2007, reconstructed: the same, then `refinements`
+/// halvings between the last place above the surface and the last one reached safety-radius  the next texel border at
+/// the least (ours), then `refinements` halvings of the last leap
 template <class Real, class Sink>
 SearchFound<Real> leaping_search(const Search& search, const SearchRay<Real>& ray,
                                  const SearchSurface<Real>& surface, SearchCells<Real> cells, Sink& sink) {

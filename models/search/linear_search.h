@@ -24,8 +24,9 @@ struct SearchFound {
 namespace search_detail {
 
 enum class Refine : uint8_t {
-  kNone,    ///< the first sample under the surface
-  kSecant,  ///< where the chords of ray and surface between the last two samples meet: one division, a slot without memory
+  kNone,  ///< the first sample under the surface
+  /// Where the chords of ray and surface between the last two samples meet: one division, a slot without memory.
+  kSecant,
   kBinary,  ///< `refinements` halvings, each one sample; the last sample that lay under
   kSecants,  ///< `refinements` times a secant (a slot without memory) and a sample there, one step; it replaces one end
 };
@@ -47,7 +48,8 @@ struct LinearRule {
 /// pom-tatarchuk    Tatarchuk 2006, reconstructed: no sample at the entry, where the surface is taken to touch the ray;
 ///                  nothing found is the far end of the offset.
 /// relief           Policarpo, Oliveira, Comba 2005, reconstructed: no sample at the entry; binary search.
-/// interval         Risser et al. 2005, reconstructed; that the entry is sampled is ours. The answer is the last secant's.
+/// interval         Risser et al. 2005, reconstructed; that the entry is sampled is ours. The answer is the last
+/// secant's.
 inline LinearRule linear_rule(SearchKind kind) {
   switch (kind) {
     case SearchKind::kPomPrinted:

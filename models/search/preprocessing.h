@@ -21,11 +21,11 @@ struct Preprocessed {
 /// point of the constant texel. Found through the max pyramid; equal to asking every texel.
 Preprocessed make_cone_map(const Pyramid& max_pyramid, AddressMode mode);
 
-/// Relaxed cones (Policarpo & Oliveira 2007), generated from their definition (ours; published generators sample rays and
-/// give cones too wide, EGSR 2024): the widest cone of which no ray that starts on its axis above the texel and does not
-/// rise leaves the surface again inside. On constant texels such a ray leaves where the surface steps down, away
-/// from the texel: the smallest distance / (h' - h) over the edges and corners, outward, of higher texels h' with a lower
-/// neighbour behind. Border mode: nothing lies behind the map's edge, which is lower than any texel.
+/// Relaxed cones (Policarpo & Oliveira 2007), generated from their definition (ours; published generators sample rays
+/// and give cones too wide, EGSR 2024): the widest cone of which no ray that starts on its axis above the texel and
+/// does not rise leaves the surface again inside. On constant texels such a ray leaves where the surface steps down,
+/// away from the texel: the smallest distance / (h' - h) over the edges and corners, outward, of higher texels h'
+/// with a lower neighbour behind. Border mode: nothing lies behind the map's edge, which is lower than any texel.
 Preprocessed make_relaxed_cone_map(const Pyramid& max_pyramid, AddressMode mode);
 
 /// Safety radii (Baboud & Decoret 2006; the definition reconstructed, its form on constant texels ours): around the
@@ -36,8 +36,8 @@ Preprocessed make_safety_radii(const Pyramid& max_pyramid, AddressMode mode);
 /// Distances (Donnelly 2005): distance_field.cpp.
 Preprocessed make_distance_field(const Pyramid& max_pyramid, AddressMode mode);
 
-/// Height of the slab in the distance field's metric: an eighth of the longer tile side, in texels (ours: near the depth
-/// of usual scenes). One step of a distance byte is this / 255.
+/// Height of the slab in the distance field's metric: an eighth of the longer tile side, in texels (ours: near the
+/// depth of usual scenes). One step of a distance byte is this / 255.
 inline double distance_slab_texels(int width, int height) { return (width > height ? width : height) / 8.0; }
 
 /// The largest byte b with (b / 255)^2 <= (distance / longer side) / (rise / full scale); 255 where there is no line.

@@ -37,8 +37,8 @@ struct PrintedRay {
   float start = 0;
 };
 
-/// Of a descending ray. For one that starts inside the slab, which the listings do not know, P is where its line meets the
-/// top plane, and P2 where it starts (ours).
+/// Of a descending ray. For one that starts inside the slab, which the listings do not know, P is where its line
+/// meets the top plane, and P2 where it starts (ours).
 PrintedRay make_printed_ray(const MachineRay& input, const MapShape& map, const NumberFormat& format);
 
 namespace printed_detail {
@@ -121,19 +121,19 @@ inline float ray_length(const PrintedPlace& p, const PrintedPlace& from) {
 /// ki2007-printed: Ki & Oh 2007, sections 2.2 and 2.3, printed. Each pass reads one texel of the current level; where
 /// the ray is above it, it moves to the texel's height, or, if that lies in another node, to the node's boundary and
 /// `delta` on; then it goes down a level, or stays after a crossing (their text has it go up; level++ and the loop's
-/// level-- cancel). With `linear`, section 2.4, printed: at a leaf half a texel ahead is read, filtered; while the ray is
-/// above that it goes on from there; in the end one secant between half a texel before and after, with the listing's
-/// weights, which its text contradicts. (`P2.b.z` is read as `P2b.z`.)
+/// level-- cancel). With `linear`, section 2.4, printed: at a leaf half a texel ahead is read, filtered; while the
+/// ray is above that it goes on from there; in the end one secant between half a texel before and after, with the
+/// listing's weights, which its text contradicts. (`P2.b.z` is read as `P2b.z`.)
 ///
 /// drobot2009-printed, reconstructed from public copies of the talk's pseudo code (GDC 2010) and a public adaptation of
 /// the article's sample: the same loop, but a crossing never goes beyond the texel's height, d = min(d, boundary), and
-/// always goes up one level, without a limit: above the root a node is 2, 4 ... repetitions of the map. The delta is the
-/// adaptation's, as Ki & Oh's; the pseudo code has none, and takes the boundary's distance without its sign.
+/// always goes up one level, without a limit: above the root a node is 2, 4 ... repetitions of the map. The delta is
+/// the adaptation's, as Ki & Oh's; the pseudo code has none, and takes the boundary's distance without its sign.
 ///
 /// With `slope` (ours) the boundary is b / E.xy away, the same without 0 / 0, in the place of (b * P2.z) / a; an axis
 /// along which the ray does not move has none.
-/// A step is one pass, with one read; a division as printed takes a slot of arithmetic before the next step. A filtered sample is
-/// a step with four reads. min(x, NaN) = x, as shaders have it. `delta`: in depths of the slab.
+/// A step is one pass, with one read; a division as printed takes a slot of arithmetic before the next step. A
+/// filtered sample is a step with four reads. min(x, NaN) = x, as shaders have it. `delta`: in depths of the slab.
 template <class Sink>
 PrintedFound printed_search(const Search& search, const PrintedRay& ray, const SearchMap& map, float delta,
                             Sink& sink) {

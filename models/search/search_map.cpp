@@ -12,8 +12,8 @@
 namespace cuesta {
 namespace {
 
-/// Unit normals of the surface by central differences through the address mode, as an RGB8 normal map has them; slopes in
-/// full scales per longer tile side.
+/// Unit normals of the surface by central differences through the address mode, as an RGB8 normal map has them;
+/// slopes in full scales per longer tile side.
 std::vector<uint8_t> make_normals(const Pyramid& pyramid, AddressMode mode) {
   const int width = pyramid.width(0), height = pyramid.height(0);
   const double scale = 0.5 * std::max(width, height) / pyramid.full_scale();

@@ -12,16 +12,16 @@
 
 namespace cuesta {
 
-/// What making a search's map took, beside the height grid and its max pyramid. The same on every host; time is measured
-/// by the caller.
+/// What making a search's map took, beside the height grid and its max pyramid. The same on every host; time is
+/// measured by the caller.
 struct PreprocessingCost {
   uint64_t texels_read = 0;      ///< heights and pyramid nodes looked at
   uint64_t records_written = 0;  ///< 0: the height grid itself is searched
   uint64_t bytes = 0;            ///< of the heights read and the records written, without any cache
 };
 
-/// The smallest step that a stored cone ratio tells apart: byte b stands for (b / 255)^2 tile sides (the longer side) of
-/// reach for the full scale of height. The square root in the texture is Dummer's (field knowledge): small ratios,
+/// The smallest step that a stored cone ratio tells apart: byte b stands for (b / 255)^2 tile sides (the longer side)
+/// of reach for the full scale of height. The square root in the texture is Dummer's (field knowledge): small ratios,
 /// which are the frequent ones, keep their digits.
 inline constexpr int kConeScale = 255;
 inline constexpr int kDistanceLayers = 16;  ///< Donnelly 2005

@@ -20,8 +20,8 @@ int64_t floor_of(Real x) {
   return static_cast<Real>(k) > x ? k - 1 : k;
 }
 
-/// A point of the ray, in texels and height LSBs of the map's own frame, unwrapped. On a plane between two cells it lies
-/// in the one that the ray goes to.
+/// A point of the ray, in texels and height LSBs of the map's own frame, unwrapped. On a plane between two cells it
+/// lies in the one that the ray goes to.
 template <class Real>
 struct SearchPoint {
   Real t, x, y, z;
@@ -31,10 +31,10 @@ struct SearchPoint {
   int64_t cell_y() const { return back_y ? -floor_of(-y) - 1 : floor_of(y); }
 };
 
-/// The segment [t_start, t_end] that is searched. t counts as the float and double traversals count it: texels (or LSBs)
-/// over the machine ray's integers. t_start = max(0, entering the map (border)), t_end the first of t_max, leaving the
-/// slab (z = 0 descending, full scale rising) and leaving the map (border); planes are crossed at RealArithmetic's
-/// times, so that t_start is the traversal's, bit for bit.
+/// The segment [t_start, t_end] that is searched. t counts as the float and double traversals count it: texels (or
+/// LSBs) over the machine ray's integers. t_start = max(0, entering the map (border)), t_end the first of t_max,
+/// leaving the slab (z = 0 descending, full scale rising) and leaving the map (border); planes are crossed at
+/// RealArithmetic's times, so that t_start is the traversal's, bit for bit.
 template <class Real>
 struct SearchRay {
   using A = RealArithmetic<Real>;

@@ -19,21 +19,23 @@ namespace cuesta {
 /// One search over one map. `Real` is float (also where the machine's arithmetic is fixed) or double; sqrt is the only
 /// function of the library that is called.
 ///
-/// A step is one sample of the surface (its records are read: 1, or 4 filtered), before which a division takes a slot of
-/// arithmetic without memory; or such a slot alone, where no sample follows it:
-///   normal              no step: the hit is the entry point. Ours in form.
+/// A step is one sample of the surface (its records are read: 1, or 4 filtered), before which a division takes a slot
+/// of arithmetic without memory; or such a slot alone, where no sample follows it: normal              no step: the
+/// hit is the entry point. Ours in form.
 ///   parallax            1 sample at the entry, then straight to where the ray has that height (Kaneko et al. 2001,
 ///                       printed: uv + h V.xy / V.z, h counted from the plane that the eye sees).
 ///   parallax-limited    the same without the division: N.V times as far (Welsh 2004, printed).
 ///   steep, pom-printed, pom, pom-tatarchuk, relief, interval: linear_search.h.
 ///   cone, relaxed-cone, distance, safety-radius: leaping_search.h.
 ///   ki2007-printed, drobot2009-printed: printed_search.h; in float, whatever `Real` is.
-/// A ray that is not descending is a miss without a step for normal, parallax, parallax-limited and the printed ones, whose
-/// formulas have no meaning for it; of a descending one they miss nothing but what lies beyond t_max or, in border mode, the map.
+/// A ray that is not descending is a miss without a step for normal, parallax, parallax-limited and the printed ones,
+/// whose formulas have no meaning for it; of a descending one they miss nothing but what lies beyond t_max or, in
+/// border mode, the map.
 template <class Real>
 class Searcher {
  public:
-  /// Keeps a reference to `map`. `depth`: of the slab, in tile widths, where the view's angle is asked for (parallax-limited and the three of pom): a machine ray has lost it.
+  /// Keeps a reference to `map`. `depth`: of the slab, in tile widths, where the view's angle is asked for
+  /// (parallax-limited and the three of pom): a machine ray has lost it.
   Searcher(const Search& search, const SearchMap& map, const MapShape& shape, const NumberFormat& number,
            double depth)
       : search_(search),
@@ -44,8 +46,8 @@ class Searcher {
         depth_(depth) {}
 
   /// `sink`: read(offset) for each record of the step, compute() for a slot without memory, end_step() after each step;
-  /// a step is one or more reads, one compute, or a compute and then reads. HitRecord: `i`, `j` the cell of the found point in the map's own
-  /// frame, unwrapped; `t` in the unit of `times`; `steps` the calls of end_step().
+  /// a step is one or more reads, one compute, or a compute and then reads. HitRecord: `i`, `j` the cell of the found
+  /// point in the map's own frame, unwrapped; `t` in the unit of `times`; `steps` the calls of end_step().
   template <class Sink>
   HitRecord trace(const MachineRay& input, Arithmetic times, Sink& sink) const {
     HitRecord record;

@@ -7,8 +7,8 @@
 
 namespace cuesta {
 
-/// The contract of what takes the completions of a pipeline's rays: today hit_queue with result_writer behind it; a unit
-/// that shades stands in the same place.
+/// The contract of what takes the completions of a pipeline's rays: today hit_queue with result_writer behind it; a
+/// unit that shades stands in the same place.
 ///
 /// A pipeline asks `has_room` in each cycle in which a ray could leave; without room its pipe stands still, and nothing
 /// else is asked of the sink until there is.

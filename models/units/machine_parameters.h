@@ -40,10 +40,10 @@ namespace parameter {
 inline constexpr std::string_view kEqual = "the hardware is equal to the model, cycle by cycle";
 
 inline constexpr ParameterRow<MachineParameters> kMachineParameters[] = {
-    number<&MachineParameters::pipelines>(
-        "machine.pipelines", 1, 64, kTime, "",
-        "Pipelines (ray_setup, traverse, height_l1, hit_queue) behind one ray_dispatch and over one dram.",
-        kOurs),
+    number<&MachineParameters::pipelines>("machine.pipelines", 1, 64, kTime, "",
+                                          "Pipelines (ray_setup, traverse, height_l1, hit_queue, "
+                                          "result_writer) behind one ray_dispatch and over one dram.",
+                                          kOurs),
     inert(number<&MachineParameters::clock_mhz>("machine.clock_mhz", 1, 10'000, kTime, "MHz",
                                                 "Clock of the machine, which dram's is a ratio of.", kOurs),
           "turns cycles into rays/s, frames/s and GB/s, and changes no count"),

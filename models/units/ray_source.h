@@ -8,7 +8,8 @@
 
 namespace cuesta {
 
-/// The side of a machine to which rays come. Rays are numbered as they come; their number in the machine's order is that.
+/// The side of a machine to which rays come. Rays are numbered as they come; their number in the machine's order is
+/// that.
 class RayIntake {
  public:
   /// Takes a whole trace, there at reset, before any other ray; the machine brings it into the order that its

@@ -39,8 +39,9 @@ class HitJudge {
   /// judge.
   explicit HitJudge(const Workload& work);
 
-  /// `hits`: one per ray, all finished, with times as `arithmetic` has them. A ray whose cell the walk in double finds as
-  /// well is exact (verify oracle holds that walk against exact arithmetic); every other ray is judged by the oracle.
+  /// `hits`: one per ray, all finished, with times as `arithmetic` has them. A ray whose cell the walk in double
+  /// finds as well is exact (verify oracle holds that walk against exact arithmetic); every other ray is judged by
+  /// the oracle.
   Judgement judge(std::span<const HitRecord> hits, Arithmetic arithmetic);
 
   /// The true hits, in double.

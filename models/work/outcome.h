@@ -40,8 +40,8 @@ Plane plane_of(const Workload& work, const char* name, Value&& value) {
 void add_hit_measurements(const Workload& work, std::span<const HitRecord> hits, const FetchCounts& fetches,
                           Measurements& measurements);
 
-/// Adds how right the hits of a search are: counters error.*, histograms of how far they lie from the true ones, the plane
-/// of wrong rays; and what its map cost to make (preprocessing.*).
+/// Adds how right the hits of a search are: counters error.*, histograms of how far they lie from the true ones, the
+/// plane of wrong rays; and what its map cost to make (preprocessing.*).
 void add_error_measurements(const Workload& work, const Judgement& judgement, Measurements& measurements);
 
 /// Feeds a hit record but its steps: what every exact schedule must agree on.

@@ -14,8 +14,8 @@
 namespace cuesta {
 
 /// Where the units in time get the value from: what each ray visits and where it ends. No step depends on time, so the
-/// value is computed apart, a batch of rays ahead, by the same walker as in the functional run; the units only ask which
-/// line comes next.
+/// value is computed apart, a batch of rays ahead, by the same walker as in the functional run; the units only ask
+/// which line comes next.
 ///
 /// Rays are numbered in the machine's order and asked for in about that order; a batch is dropped when all its rays are
 /// done.

@@ -11,7 +11,8 @@
 
 namespace cuesta {
 
-/// Returns the algorithm with what the architecture's [traverse] section says of its schedule; its id is the canonical name.
+/// Returns the algorithm with what the architecture's [traverse] section says of its schedule; its id is the
+/// canonical name.
 /// Throws usage_error where that section speaks of a schedule and the algorithm is a search.
 Algorithm algorithm_on(const Algorithm& algorithm, const TraverseParameters& traverse);
 /// Does the same with several, in order; those that have become the same schedule as an earlier one are left out.

@@ -11,8 +11,9 @@
 
 namespace cuesta {
 
-/// A parameter of a whole architecture: a row of a unit's table (ParameterRow), reached through its section. The list of
-/// all of them is what files, `--set`, the resolved configuration, `cuesta list parameters` and the documentation use.
+/// A parameter of a whole architecture: a row of a unit's table (ParameterRow), reached through its section. The list
+/// of all of them is what files, `--set`, the resolved configuration, `cuesta list parameters` and the documentation
+/// use.
 struct Parameter {
   std::string_view path;                    ///< "height_l1.ways": section and key of an architecture file
   int64_t low, high;                        ///< accepted, both ends included; for a name: index into `names`

@@ -4,7 +4,8 @@
 
 namespace cuesta::rtl {
 
-// The register map of rtl/hmt_top.sv, as rtl/common/hmt_registers.svh has it: tied_constants.h holds one against the other.
+// The register map of rtl/hmt_top.sv, as rtl/common/hmt_registers.svh has it: tied_constants.h holds one against the
+// other.
 
 inline constexpr int kRegisterMode = 0, kRegisterTimeEnd = 1, kRegisterRootBound = 2, kRegisterLevelBase = 16,
                      kRegisterCounter = 32;

@@ -60,7 +60,8 @@ struct PipelineFill : HmtUnit::Fill {
 ///
 /// Either all rays of a workload are there at cycle 0 and dram is inside (`run_cycle`), or a host brings the rays and
 /// serves memory: rays by a RaySource that the machine asks, or told one by one (RayIntake). Such a host may run the
-/// machine up to `window()` cycles ahead of its own time: no answer to what leaves within a window lands in that window.
+/// machine up to `window()` cycles ahead of its own time: no answer to what leaves within a window lands in that
+/// window.
 /// Before `advance(end)` it must have told every ray, end of trace and answer of a cycle below `end`.
 class CycleMachine final : public RayIntake {
  public:

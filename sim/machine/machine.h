@@ -15,9 +15,9 @@ namespace cuesta {
 enum class Fidelity : uint8_t { kFunctional, kTransaction, kCycle, kRtl };
 
 /// Runs every unit in time, traverse loosely: a transaction is a run of steps that find their lines in height_l1
-/// (models/units/traverse/run_ahead_traverse.h). Hits, steps and addresses are those of the other fidelities; the order in
-/// which height_l1 is asked, and with it traffic and machine.cycles, is nearly that of run_cycle. The same counters,
-/// planes and laws. Throws usage_error for units in hardware, and Error(kNoProgress) as run_cycle.
+/// (models/units/traverse/run_ahead_traverse.h). Hits, steps and addresses are those of the other fidelities; the
+/// order in which height_l1 is asked, and with it traffic and machine.cycles, is nearly that of run_cycle. The same
+/// counters, planes and laws. Throws usage_error for units in hardware, and Error(kNoProgress) as run_cycle.
 Outcome run_transaction(const Workload& work, const Architecture& architecture,
                         const Progress& progress = {});
 

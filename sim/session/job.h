@@ -57,8 +57,8 @@ Job watched_job(const std::string& scene_name_or_path, const SceneChanges& chang
 /// A job's rays as they enter a machine with numbers of that format.
 std::vector<MachineRay> machine_rays(const Job& job, const NumberFormat& format);
 
-/// Makes the work of an algorithm over a job, in the architecture's numbers: `rays` of machine_rays; `map` what a search reads, nullptr for a schedule. All of them
-/// must outlive the workload.
+/// Makes the work of an algorithm over a job, in the architecture's numbers: `rays` of machine_rays; `map` what a
+/// search reads, nullptr for a schedule. All of them must outlive the workload.
 Workload workload_of(const Job& job, const Architecture& architecture, std::span<const MachineRay> rays,
                      const Algorithm& algorithm, const SearchMap* map = nullptr);
 

@@ -33,16 +33,17 @@ class Measurer {
   explicit Measurer(const Job& job, CycleRunner cycle_runner = {})
       : job_(job), cycle_runner_(std::move(cycle_runner)) {}
 
-  /// The algorithm as algorithm_on(..., architecture) has it; the entry carries that name. Throws usage_error as `check`.
+  /// The algorithm as algorithm_on(..., architecture) has it; the entry carries that name. Throws usage_error as
+  /// `check`.
   /// A search's hits are held against the true ones: counters error.* and what goes with them.
   /// Throws Error(kMismatch) for a broken law of the accounting, and when exact algorithms disagree: with the same
-  /// numbers and leaves, every schedule returns the same hits. Throws input_error for a ray that does not fit the machine's
-  /// numbers. Stopped early by `progress`, the entry is partial and only its finished rays count.
+  /// numbers and leaves, every schedule returns the same hits. Throws input_error for a ray that does not fit the
+  /// machine's numbers. Stopped early by `progress`, the entry is partial and only its finished rays count.
   RunEntry run(const Algorithm& named, const Architecture& architecture, Fidelity fidelity,
                const Progress& progress = {});
 
-  /// Throws usage_error for what `run` would refuse on this job: a stop level above the map's root, a surface or a map that
-  /// the algorithm or the machine's numbers cannot do.
+  /// Throws usage_error for what `run` would refuse on this job: a stop level above the map's root, a surface or a
+  /// map that the algorithm or the machine's numbers cannot do.
   void check(const Algorithm& named, const Architecture& architecture) const;
 
   /// What was preprocessed for searches, in order, and how long it took.

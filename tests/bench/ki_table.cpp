@@ -14,9 +14,9 @@
 #include "traces/parallel_view.h"
 #include "traces/scene_heights.h"
 
-// What filtering and levels of detail cost, beside table 1 and section 2.5 of Ki & Oh 2007 (printed: nearest over linear
-// frame rates 1.687, 1.690, 1.700; level of detail about 2 times; best case n + 1 steps): 512 x 512 parallel rays over
-// one tile's breadth, wrapped, in float on mobile. Their maps and views are not at hand.
+// What filtering and levels of detail cost, beside table 1 and section 2.5 of Ki & Oh 2007 (printed: nearest over
+// linear frame rates 1.687, 1.690, 1.700; level of detail about 2 times; best case n + 1 steps): 512 x 512 parallel
+// rays over one tile's breadth, wrapped, in float on mobile. Their maps and views are not at hand.
 //
 //   ki_table [IMAGE[:CHANNEL]]      an image of a square power of two is a fourth map
 

@@ -127,8 +127,8 @@ void run(benchmark::State& state, Case& c, bool rtl) {
   state.counters["cycles/s"] = c.speeds[rtl].back();
 }
 
-/// Clock ticks of all processors since the host's start: what another guest took of them, and all; 0, 0 where the system
-/// does not say.
+/// Clock ticks of all processors since the host's start: what another guest took of them, and all; 0, 0 where the
+/// system does not say.
 struct HostTicks {
   double stolen = 0, all = 0;
 

@@ -11,8 +11,8 @@
 #include "models/search/search_map.h"
 #include "tests/models/search/brute_force.h"
 
-// How long a search's map takes to make, one thread: 8 and 16 bits, several kinds of generated maps, wrapped; and SAMPLES
-// texels of each against brute force over the map and its copies (seconds a texel at 1024 x 1024).
+// How long a search's map takes to make, one thread: 8 and 16 bits, several kinds of generated maps, wrapped; and
+// SAMPLES texels of each against brute force over the map and its copies (seconds a texel at 1024 x 1024).
 //
 //   search_bench [SIDE [SAMPLES]]      default: 1024 2
 

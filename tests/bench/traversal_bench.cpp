@@ -11,8 +11,9 @@
 #include "sim/machine/cycle_machine.h"
 
 // Steps per second of one core, fixed point, on a fractal map of 1024 x 1024 texels and 8 bits: functional (value
-// alone), cycle (value, L1, DRAM, every unit in time) and whole_run (also histograms, planes, digests). 512 x 512 rays: coherent (parallel, a tile's breadth) or
-// random in place and direction. `lanes`: 16 rays at a time (AVX-512); `scalar`: one at a time.
+// alone), cycle (value, L1, DRAM, every unit in time) and whole_run (also histograms, planes, digests). 512 x 512
+// rays: coherent (parallel, a tile's breadth) or random in place and direction. `lanes`: 16 rays at a time (AVX-512);
+// `scalar`: one at a time.
 
 namespace cuesta {
 namespace {

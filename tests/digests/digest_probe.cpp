@@ -14,8 +14,9 @@
 #include "traces/front_end.h"
 #include "traces/scene_library.h"
 
-// The digests of `cuesta compare default --size 64x48 --arch tiny`, and of the searches as printed, in every arithmetic and fidelity, from the camera to
-// the planes, without the files and the command line of the program: small enough to be built by every compiler.
+// The digests of `cuesta compare default --size 64x48 --arch tiny`, and of the searches as printed, in every
+// arithmetic and fidelity, from the camera to the planes, without the files and the command line of the program:
+// small enough to be built by every compiler.
 
 namespace cuesta {
 namespace {

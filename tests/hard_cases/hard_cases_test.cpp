@@ -10,8 +10,8 @@
 #include "tests/hard_cases/hard_cases.h"
 #include "tests/hard_cases/hard_check.h"
 
-// Every algorithm over the catalogue. CUESTA_HARD_EVERY=N: one ray in N; 1: all. CUESTA_HARD_ROUNDS=N: N times the rays,
-// each round from other places.
+// Every algorithm over the catalogue. CUESTA_HARD_EVERY=N: one ray in N; 1: all. CUESTA_HARD_ROUNDS=N: N times the
+// rays, each round from other places.
 
 namespace cuesta {
 namespace {

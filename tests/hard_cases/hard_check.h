@@ -47,8 +47,9 @@ class HardChecker {
   const HeightGrid& grid() const { return grid_; }
   const MapShape& shape() const { return shape_; }
 
-  /// Every published schedule and part in every arithmetic, now and then every combination; at the leaves, or stopped at
-  /// a level above. The leaf walk in fixed point against the exact leaf walk and brute force. Throws where quantise does.
+  /// Every published schedule and part in every arithmetic, now and then every combination; at the leaves, or stopped
+  /// at a level above. The leaf walk in fixed point against the exact leaf walk and brute force. Throws where
+  /// quantise does.
   void check_exact(const TracedRay& ray, int stop_level, HardCounts& counts);
   /// The approximate algorithms, over constant and filtered texels.
   void check_searches(const TracedRay& ray, HardCounts& counts);

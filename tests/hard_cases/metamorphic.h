@@ -37,7 +37,8 @@ struct Moved {
 struct Relation {
   std::string_view name;
   std::string_view exact_in;  ///< where the relation holds to the bit
-  /// `found`: the answer of `instance` in `arithmetic`. The same seed gives the same change, as far as the instance has it.
+  /// `found`: the answer of `instance` in `arithmetic`. The same seed gives the same change, as far as the instance
+  /// has it.
   /// Nothing where the relation does not apply.
   std::optional<Moved> (*move)(const Instance& instance, const HitRecord& found, Arithmetic arithmetic,
                                uint64_t seed);

@@ -10,8 +10,8 @@
 #include "models/oracle/oracle.h"
 #include "models/oracle/verdict.h"
 
-// When map and ray are changed together the hit moves as it must, bit for bit. A failing case is cut to the smallest map
-// and ray. CUESTA_METAMORPHIC_CASES=N: N cases for each relation.
+// When map and ray are changed together the hit moves as it must, bit for bit. A failing case is cut to the smallest
+// map and ray. CUESTA_METAMORPHIC_CASES=N: N cases for each relation.
 
 namespace cuesta {
 namespace {
@@ -85,8 +85,8 @@ INSTANTIATE_TEST_SUITE_P(Relations, Metamorphic, ::testing::Range<size_t>(0, rel
                            return name;
                          });
 
-/// Rays on a plane that they never leave: the mirror image belongs to the cell on the plane's other side, so that the two
-/// answers are each other's ties.
+/// Rays on a plane that they never leave: the mirror image belongs to the cell on the plane's other side, so that the
+/// two answers are each other's ties.
 TEST(MetamorphicTies, AMirroredRayOnAPlaneIsRightUnderTheOtherReadingOfEdges) {
   Random random(9);
   int64_t checked = 0, moved = 0;

@@ -15,6 +15,8 @@
 #include "Vheight_l1_odd.h"
 #include "models/common/random.h"
 #include "models/units/height_l1/height_l1.h"
+#include "models/units/memory/memory_port.h"
+#include "models/units/memory/outside_memory.h"
 
 // rtl/height_l1/height_l1.sv against HeightL1 of models/units: the same random lookups, replays and retries under
 // random stalls, with fills after random latencies in any order; every answer, request, texel and counter, cycle by

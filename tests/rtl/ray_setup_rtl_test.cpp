@@ -97,8 +97,8 @@ std::string difference(const Vray_setup& rtl, const FixedWalk& walk, const Machi
   compare("id", static_cast<uint32_t>(ray.id), rtl.out_id_o);
   compare("dead", dead, rtl.out_dead_o);
   if (dead || !text.str().empty()) return text.str();
-  auto line = [&](const char* name, const FixedArithmetic::PlaneTime& want, uint32_t m, int64_t offset, int shift,
-                  bool still, bool falling_z) {
+  auto line = [&](const char* name, const FixedArithmetic::PlaneTime& want, uint32_t m, int64_t offset,
+                  int shift, bool still, bool falling_z) {
     const int64_t slope = static_cast<int64_t>(m) << kFormat.fraction_bits;
     compare(name, want.slope, falling_z ? -slope : slope);
     compare(name, want.offset, falling_z ? -offset : offset);

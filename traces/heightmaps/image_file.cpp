@@ -70,7 +70,7 @@ void ImageFile::open() {
         reason.find("format reader") != std::string::npos;  // OpenImageIO's words take three sentences
     throw input_error("The image " + in_quotes(path_) +
                       (unknown ? " is of no known format" : " cannot be opened: ") + (unknown ? "" : reason) +
-                      "; PNG, TIFF, EXR, TGA, BMP and JPEG are accepted.");
+                      "; PNG, TIFF, EXR, TGA, BMP, DDS and JPEG are accepted.");
   }
   check_size();
   refuse_damage(damage_of_others(path_, format(), width(), height()));

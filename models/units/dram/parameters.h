@@ -7,8 +7,8 @@
 
 namespace cuesta {
 
-/// The sizes and timing of dram: channels of banks with one open row each, served in the order of arrival, with one data
-/// bus per channel. tXXX are in memory clocks; memory clock : machine clock = clock_num : clock_den.
+/// The sizes and timing of dram: channels of banks with one open row each, served in the order of arrival, with one
+/// data bus per channel. tXXX are in memory clocks; memory clock : machine clock = clock_num : clock_den.
 struct DramParameters {
   int channels = 1;
   int banks = 8;         ///< per channel

@@ -37,8 +37,8 @@ class RayDispatch {
     }
   }
 
-  /// Takes so many rays that are there from cycle 0, before any other. `targets`: for interleave, the pipeline of each in
-  /// the machine's order; empty for first_free.
+  /// Takes so many rays that are there from cycle 0, before any other. `targets`: for interleave, the pipeline of
+  /// each in the machine's order; empty for first_free.
   void trace_arrives(uint32_t rays, std::vector<uint16_t> targets) {
     rays_ = rays;
     targets_ = std::move(targets);

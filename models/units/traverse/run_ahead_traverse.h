@@ -10,19 +10,19 @@ namespace cuesta {
 ///
 /// A ray that has had its slot looks up its next lines at once, one after the other, until one is not in height_l1, the
 /// ray has ended, or it is kMostAhead steps ahead; each of these steps takes `stages` cycles. One event, in the place
-/// of one a slot, stands for the whole run: the slot is busy until there. That is exact, since no other ray can take it and
-/// nothing but a standing pipe can delay it, which delays all slots alike. What misses is looked up again when its cycle
-/// has come; if the line has landed meanwhile, the ray goes on.
+/// of one a slot, stands for the whole run: the slot is busy until there. That is exact, since no other ray can take
+/// it and nothing but a standing pipe can delay it, which delays all slots alike. What misses is looked up again when
+/// its cycle has come; if the line has landed meanwhile, the ray goes on.
 ///
 /// So everything that bounds the throughput keeps its law: slots, contexts, MSHRs, fills, replays, set-up, hit stream.
 /// What is not exact is the order of lookups: the cache sees runs in the order in which they begin. A ray ahead still
-/// finds a line that a fill will have evicted by then, and its lines count as used too early. With one ray in the unit at
-/// a time nothing differs. Bubbles are counted by the reason that holds when they end.
+/// finds a line that a fill will have evicted by then, and its lines count as used too early. With one ray in the
+/// unit at a time nothing differs. Bubbles are counted by the reason that holds when they end.
 ///
 /// Not ray by ray: rays that are in the unit together wait for a line together, and in the order of dispatch alone each
-/// of them would find the cache as the rays before it have left it: more lines are read than in time, most of all by long
-/// walks (dda), and bounds on top of such a traffic inherit its error. The price is an event for each miss, each replay
-/// and each ray: what is saved is the slots of steps that hit, which is little where many lookups miss.
+/// of them would find the cache as the rays before it have left it: more lines are read than in time, most of all by
+/// long walks (dda), and bounds on top of such a traffic inherit its error. The price is an event for each miss, each
+/// replay and each ray: what is saved is the slots of steps that hit, which is little where many lookups miss.
 class RunAheadTraverse final : public TraverseUnit {
  public:
   RunAheadTraverse(const HmtSite& site, RaySetupUnit& setup, HeightL1& l1);

@@ -14,8 +14,8 @@ namespace cuesta {
 /// traverse: one step of one ray per cycle. What a step is, its StepSource says: a node visit, or a step of an
 /// approximate search.
 ///
-/// Ports: rays from ray_setup, lookups to height_l1, replays from height_l1, hit stream to a HitSink (hit_queue). All but the
-/// choice within a cycle are registered.
+/// Ports: rays from ray_setup, lookups to height_l1, replays from height_l1, hit stream to a HitSink (hit_queue). All
+/// but the choice within a cycle are registered.
 /// Timing: a rigid pipe of `stages` slots that go round. Each enabled cycle one slot is at select. A ray that has
 /// ended leaves by the hit stream (with hit_queue full the whole pipe stands still) and its context is free at
 /// once; a ray that goes on is issued; an empty slot takes the first that can: a replay of height_l1, a retry,

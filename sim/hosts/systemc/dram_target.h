@@ -14,8 +14,8 @@
 
 namespace cuesta::systemc {
 
-/// The machine's own dram (models/units/dram/dram.h) behind a target socket: with it the machine runs cycle for cycle as
-/// in the direct host. Four phases: a request is accepted at once, its response begins when dram has the data; two
+/// The machine's own dram (models/units/dram/dram.h) behind a target socket: with it the machine runs cycle for cycle
+/// as in the direct host. Four phases: a request is accepted at once, its response begins when dram has the data; two
 /// responses of one time begin in the order of their requests. b_transport and the debug transport work as well.
 class DramTarget : public sc_core::sc_module {
  public:

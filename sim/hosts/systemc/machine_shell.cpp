@@ -8,8 +8,8 @@
 #include "models/rays/hit_bytes.h"
 
 #if defined(__SANITIZE_ADDRESS__)
-// What stands on the stack of an SC_THREAD when the simulation ends is never destroyed, and the stacks are the kernel's:
-// the leak checker's complaint names its library, whatever it is about.
+// What stands on the stack of an SC_THREAD when the simulation ends is never destroyed, and the stacks are the
+// kernel's: the leak checker's complaint names its library, whatever it is about.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_options();
 const char* __lsan_default_suppressions() { return "leak:libsystemc\n"; }

@@ -20,7 +20,7 @@ namespace cuesta::systemc {
 
 /// What a machine works on; pyramid and architecture must outlive it.
 struct MachineSetup {
-  const Pyramid* pyramid = nullptr;  ///< max pyramid
+  const Pyramid* pyramid = nullptr;  ///< max pyramid, or four-corner pyramid as map.surface is
   MapShape map;
   Schedule schedule;
   int width = 0, height = 0;  ///< of the frame that the rays' pixels are in

@@ -62,8 +62,8 @@ LockstepRig::LockstepRig(const LockstepCase& one, const LockstepMachine& machine
   const DramParameters& dram = settings_.architecture.dram;
   if (settings_.memory) {
     memory_.emplace(*settings_.memory, dram.request_latency_cycles + dram.response_latency_cycles);
-    machine_ = std::make_unique<CycleMachine>(load, settings_.architecture, *memory_, static_cast<RaySource*>(this),
-                                              hooks);
+    machine_ = std::make_unique<CycleMachine>(load, settings_.architecture, *memory_,
+                                              static_cast<RaySource*>(this), hooks);
     order_.resize(work_->rays.size());
     std::iota(order_.begin(), order_.end(), 0u);
     if (!order_.empty()) next_arrival_ = settings_.memory->gap_before(0);

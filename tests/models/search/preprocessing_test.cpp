@@ -72,8 +72,8 @@ TEST(ConeMap, IsWorkedByHandForOneTowerOnAPlain) {
   EXPECT_EQ(wrapped.cost().bytes, wrapped.cost().texels_read + 512);
 }
 
-/// Follows a ray that does not rise from (x, y, z) in the unwrapped plane and returns how far away it first comes out of
-/// the surface again, and at what height; infinite if it does not within `reach` texels.
+/// Follows a ray that does not rise from (x, y, z) in the unwrapped plane and returns how far away it first comes out
+/// of the surface again, and at what height; infinite if it does not within `reach` texels.
 struct Emergence {
   double distance, z;
 };

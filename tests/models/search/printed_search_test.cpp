@@ -49,8 +49,9 @@ double depth_of(const SearchCase& c, const MachineRay& ray, const HitRecord& hit
 }
 
 // Heights 204 of 255 lie 0.2 deep, heights 0 at 1. P = (0.125, 0.375), E = (0.5, 0.0625). Root: on to 0.2, at (0.225,
-// 0.3875). Level 1, node (0, 0): 1 deep, which lies in node (1, 0); the boundary x = 0.5 is 0.375 * 0.2 / 0.1 = 0.75 deep,
-// y = 0.5 is 2 deep; on to 0.75 + 0.125 at (0.5625, 0.4297). Level 1 again, node (1, 0), and level 0, texel (2, 1): under.
+// 0.3875). Level 1, node (0, 0): 1 deep, which lies in node (1, 0); the boundary x = 0.5 is 0.375 * 0.2 / 0.1 = 0.75
+// deep, y = 0.5 is 2 deep; on to 0.75 + 0.125 at (0.5625, 0.4297). Level 1 again, node (1, 0), and level 0, texel (2,
+// 1): under.
 TEST(Printed, KiStaysOnTheLevelOfACrossing) {
   const SearchCase c(wall_grid(8, 2, 204), AddressMode::kWrap, {});
   const MachineRay ray = ray_from(c, 0.125, 0.375, 1, 0.5, 0.0625, -1);
@@ -112,7 +113,8 @@ TEST(Printed, WithoutADeltaSomeRaysDoNotFinish) {
 }
 
 // E.y = 0: the middle of the node is taken for its boundary, at b / 0. Ahead of the ray it is infinitely far. Behind it
-// it is -infinity: the ray goes there, where nothing equals or differs from a NaN, and comes back with the next texel read.
+// it is -infinity: the ray goes there, where nothing equals or differs from a NaN, and comes back with the next texel
+// read.
 // Ki's reads texel 0 of level 1, 1 deep: over the boundary. Drobot's reads the root again, 0.2 deep: round and round.
 TEST(Printed, ARayAlongAnAxisIsAstrayWhereItsNodesMiddleLiesBehindIt) {
   const SearchCase c(wall_grid(8, 2, 204), AddressMode::kWrap, {});

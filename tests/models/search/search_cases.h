@@ -13,7 +13,8 @@
 #include "models/oracle/verdict.h"
 #include "models/search/search_walk.h"
 
-// What the searches' tests share: a map with its pyramid, a ray's search with everything that it read, the exact answer.
+// What the searches' tests share: a map with its pyramid, a ray's search with everything that it read, the exact
+// answer.
 
 namespace cuesta {
 

@@ -7,6 +7,7 @@
 
 #include "models/common/error.h"
 #include "models/common/words.h"
+#include "models/units/statistics.h"
 #include "sim/config/architecture_file.h"
 #include "sim/config/parameters.h"
 #include "tests/support/temporary_folder.h"
@@ -76,10 +77,46 @@ TEST(Parameters, AreDistinctAndTheirDefaultsAreAccepted) {
   EXPECT_TRUE(contradictions(standard).empty());
 }
 
+/// Stands for a value of any field.
+struct Any {
+  template <class T>
+  operator T() const;
+};
+
+/// The fields of a parameter struct: the table beside it has a row for each.
+template <class Section>
+consteval size_t fields() {
+  constexpr auto count = []<size_t... k>(auto self, std::index_sequence<k...>)->size_t {
+    if constexpr (requires { Section{((void)k, Any{})..., Any{}}; }) {
+      return self(self, std::make_index_sequence<sizeof...(k) + 1>());
+    } else {
+      return sizeof...(k);
+    }
+  };
+  return count(count, std::index_sequence<>());
+}
+
 TEST(Parameters, CoverEveryFieldOfTheMachine) {
-  // 3 + 6 + 3 + 12 + 4 + 1 + 2 + 12 + 1 + 2 fields in models/units/architecture.h and models/units/dram/parameters.h.
-  EXPECT_EQ(parameters().size(), 46u);
-  EXPECT_EQ(parameter_sections().size(), 10u);
+  EXPECT_EQ(std::size(parameter::kMachineParameters), fields<MachineParameters>());
+  EXPECT_EQ(std::size(parameter::kRayDispatchParameters), fields<RayDispatchParameters>());
+  EXPECT_EQ(std::size(parameter::kRaySetupParameters), fields<RaySetupParameters>());
+  EXPECT_EQ(std::size(parameter::kTraverseParameters), fields<TraverseParameters>());
+  EXPECT_EQ(std::size(parameter::kHeightL1Parameters), fields<HeightL1Parameters>());
+  EXPECT_EQ(std::size(parameter::kHitQueueParameters), fields<HitQueueParameters>());
+  EXPECT_EQ(std::size(parameter::kResultWriterParameters), fields<ResultWriterParameters>());
+  EXPECT_EQ(std::size(parameter::kDramParameters), fields<DramParameters>());
+  EXPECT_EQ(std::size(parameter::kTexelParameters), fields<TexelParameters>());
+  EXPECT_EQ(std::size(parameter::kUnitParameters), fields<UnitParameters>());
+  EXPECT_EQ(parameter_sections().size(), fields<Architecture>() - 1);  // all but the name
+}
+
+TEST(Statistics, AreDistinctSentences) {
+  const auto all = statistic_definitions();
+  for (size_t k = 0; k < all.size(); ++k) {
+    EXPECT_TRUE(all[k].sentence.ends_with(".")) << all[k].name;
+    EXPECT_FALSE(all[k].unit.empty()) << all[k].name;
+    if (k > 0) EXPECT_LT(all[k - 1].name, all[k].name);
+  }
 }
 
 TEST(Presets, GiveEveryParameterThemselves) {
