@@ -13,12 +13,19 @@ namespace {
 
 class HardwareModule : public testing::Test {
  protected:
-  HardwareModule() { std::filesystem::copy_file(CUESTA_PROGRAM, folder_.path("cuesta")); }
+  HardwareModule() {
+    std::filesystem::copy_file(CUESTA_PROGRAM, folder_.path("cuesta"));
+    std::filesystem::copy_file(built("cuesta_images.so"),
+                               folder_.path("cuesta_images.so"));  // `run` writes planes
+  }
+
+  static std::filesystem::path built(const char* file) {
+    return std::filesystem::path(CUESTA_PROGRAM).parent_path() / file;
+  }
 
   /// Puts a file of the build tree's top folder beside the program, as the module.
   void place(const char* file) const {
-    std::filesystem::copy_file(std::filesystem::path(CUESTA_PROGRAM).parent_path() / file,
-                               folder_.path("cuesta_hardware_sets.so"),
+    std::filesystem::copy_file(built(file), folder_.path("cuesta_hardware_sets.so"),
                                std::filesystem::copy_options::overwrite_existing);
   }
   ProgramResult verify_rtl() const {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 
 #include "models/common/error.h"
 #include "models/heightmap/generator.h"
@@ -21,8 +22,8 @@ std::function<void(TraversePort::Outputs&)> traverse_says;
 class WrongHmtTop final : public HmtTopPort {
  public:
   void reset() override {}
-  void write_register(int, uint64_t) override {}
-  uint64_t read_register(int) override { return 0; }
+  void write_register(int address, uint64_t data) override { registers_[address] = data; }
+  uint64_t read_register(int address) override { return registers_[address]; }
   Outputs evaluate(const Inputs&) override {
     Outputs out{.ray_ready = true};
     hmt_top_says(out);
@@ -32,6 +33,9 @@ class WrongHmtTop final : public HmtTopPort {
   void clock() override {}
   void open_waves(const std::string&, int64_t) override {}
   void close_waves() override {}
+
+ private:
+  std::map<int, uint64_t> registers_;  ///< what it is configured by is right
 };
 
 class WrongTraverse final : public TraversePort {
