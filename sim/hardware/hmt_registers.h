@@ -9,9 +9,6 @@ namespace cuesta::rtl {
 
 inline constexpr int kRegisterMode = 0, kRegisterTimeEnd = 1, kRegisterRootBound = 2, kRegisterLevelBase = 16,
                      kRegisterCounter = 32;
-/// How many counters there are; which is which, the tables beside the units say (CounterRow::rtl_register).
-inline constexpr int kCounterRegisters = 21;
-
 /// The lowest bits of the mode register's fields.
 struct ModeField {
   static constexpr int kRootLevel = 0, kBorder = 4, kStart = 5, kDown = 7, kUp = 9, kStopLevel = 12,

@@ -6,6 +6,23 @@
 namespace cuesta::rtl {
 namespace {
 
+/// How many of the tables' counters the hardware counts: each has a register of its own, without a gap.
+constexpr int kCounterRegisters = [] {
+  uint64_t seen = 0;
+  int rows = 0;
+  const auto look_at = [&](const auto& table) {
+    for (const auto& row : table) {
+      if (row.rtl_register < 0) continue;
+      seen |= uint64_t{1} << row.rtl_register;
+      ++rows;
+    }
+  };
+  look_at(kRaySetupCounters);
+  look_at(kTraverseCounters);
+  look_at(kHeightL1Counters);
+  return seen == (uint64_t{1} << rows) - 1 ? rows : throw "two counters share a register, or one is left out";
+}();
+
 class HmtTopUnit final : public RtlUnit, public MemoryClient {
  public:
   HmtTopUnit(const RtlJob& job, const HmtSite& site)
