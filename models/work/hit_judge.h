@@ -20,7 +20,7 @@ struct Judgement {
   VerdictCounts counts;
   int64_t not_numbers = 0, unfinished = 0;  ///< rays without an answer
 
-  /// A wrong answer or none.
+  /// Says whether a ray has a wrong answer or none.
   bool wrong(size_t ray) const { return !verdicts[ray] || is_wrong(*verdicts[ray]); }
   /// Of the rays that hit and truly hit: how far along the ray the found place lies from the true one, as the
   /// difference in height (height LSBs) and on the plane (texels).
@@ -44,9 +44,10 @@ class HitJudge {
   /// the oracle.
   Judgement judge(std::span<const HitRecord> hits, Arithmetic arithmetic);
 
-  /// The true hits, in double.
+  /// Returns the true hits, in double.
   std::span<const HitRecord> truth() const { return truth_; }
-  /// How far down the slab a hit lies, 0 where rays enter to 1 at the ground; 1 for a ray that misses. Descending rays.
+  /// Returns how far down the slab a hit lies, 0 where rays enter to 1 at the ground; 1 for a ray that misses.
+  /// Descending rays.
   double depth_of(size_t ray, const HitRecord& hit, Arithmetic arithmetic) const;
 
  private:

@@ -30,7 +30,7 @@ class Walker {
   Walker(const Walker&) = delete;
   Walker& operator=(const Walker&) = delete;
 
-  /// False: every step of every ray reads one texel, and `fetches` stays as it is.
+  /// Says whether `walk` fills `fetches`; if not, every step of every ray reads one texel.
   virtual bool counts_fetches() const = 0;
   /// Fills a record for each ray of the batch, and where `counts_fetches` what it has read: both as long as the batch.
   /// `recorder`, if not nullptr, gets the lines of memory.

@@ -29,7 +29,7 @@ struct Workload {
   const SearchMap* search_map = nullptr;  ///< what `search` reads in the place of the pyramid's image
   double depth = 0.1;  ///< of the slab, in tile widths: what a search knows of the view's angle
 
-  /// The bytes of what a fetch brings: a texel of the pyramid, or a record of the search's map.
+  /// Returns the bytes of what a fetch brings: a texel of the pyramid, or a record of the search's map.
   int texel_bytes() const { return search ? search_map->record_bytes() : pyramid->texel_bytes(); }
 };
 

@@ -34,7 +34,7 @@ class Dram {
   Served serve(Cycle arrival, uint64_t address, int bytes, bool write);
 
   const Counts& counts() const { return counts_; }
-  /// Bytes after which rows, channels and banks repeat.
+  /// Returns the bytes after which rows, channels and banks repeat.
   uint64_t stripe_bytes() const {
     return static_cast<uint64_t>(parameters_.row_bytes) * static_cast<uint64_t>(parameters_.channels) *
            static_cast<uint64_t>(parameters_.banks);

@@ -28,7 +28,7 @@ Cycle first_free_landing(Cycle response, const PortStalls* stalls, int pipeline,
   }
 }
 
-/// Bit k: element k of the four equals `line`.
+/// Returns a bit for each element of the four: bit k is set where element k equals `line`.
 inline unsigned equal_of_four(const uint32_t* four, uint32_t line) {
 #if defined(__SSE2__)
   const __m128i lines = _mm_loadu_si128(reinterpret_cast<const __m128i*>(four));
@@ -81,11 +81,11 @@ class HeightL1 final : public MemoryClient {
   HeightL1(const HeightL1&) = delete;  // sets_ looks into this one's lines
   HeightL1& operator=(const HeightL1&) = delete;
 
-  /// From now on requests are added to `log`.
+  /// Adds requests to `log` from now on.
   void log_ports(PortLog* log) { log_ = log; }
 
-  /// The context's ray asks for a texel of `line` (address / line_bytes) in `cycle`; `ray` owns the miss that it
-  /// may cause.
+  /// Looks a line up: the context's ray asks for a texel of `line` (address / line_bytes) in `cycle`; `ray` owns the
+  /// miss that it may cause.
   Answer lookup(uint32_t line, int context, uint32_t ray, Cycle cycle) {
     if (!touch(line, cycle)) return miss(line, context, ray, cycle);
     count_hits(1);
@@ -111,8 +111,8 @@ class HeightL1 final : public MemoryClient {
     friend class HeightL1;
 
     uint32_t first_way(uint32_t line) const { return (line & mask_) * ways_; }
-    /// The way that holds the line, or kNoLine. Which one it is is as good as random to a branch predictor: all are
-    /// compared, one is selected.
+    /// Returns the way that holds the line, or kNoLine. Which one it is is as good as random to a branch predictor:
+    /// all are compared, one is selected.
     uint32_t find(uint32_t line) const {
       const uint32_t first = first_way(line);
       uint32_t hit = kNoLine;
@@ -143,9 +143,9 @@ class HeightL1 final : public MemoryClient {
   Cycle next_landing() const { return next_landing_; }
 
   bool replay_waiting() const { return !landed_.empty(); }
-  /// The context that `replay` would let go on.
+  /// Returns the context that `replay` would let go on.
   int replay_context() const { return mshrs_[static_cast<size_t>(landed_.front())].first_waiter; }
-  /// The context whose ray goes on; in `cycle`.
+  /// Replays, in `cycle`, one waiter of the first landed line; returns its context.
   int replay(Cycle cycle);
 
   void push_retry(int context) { retry_.push_back(context); }

@@ -15,7 +15,7 @@ namespace cuesta {
 /// queue and hit_queue. Either the model's units, or Verilated RTL in the place of some or all of them.
 class HmtUnit {
  public:
-  /// How full it is at the end of a cycle.
+  /// Says how full the units are at the end of a cycle.
   struct Fill {
     int rays_before_traverse = 0;  ///< sent by ray_dispatch, not yet in a context
     int contexts = 0;              ///< rays resident in traverse
@@ -30,29 +30,29 @@ class HmtUnit {
 
   virtual ~HmtUnit() = default;
 
-  /// Everything that happens in cycles below `limit`. Throws Error(kNoProgress).
+  /// Does everything that happens in cycles below `limit`. Throws Error(kNoProgress).
   virtual void advance(Cycle limit) = 0;
-  /// The next cycle to happen.
+  /// Returns the next cycle to happen.
   virtual Cycle cycle() const = 0;
-  /// No ray here, none to come.
+  /// Says whether no ray is here and none can come.
   virtual bool finished() const = 0;
-  /// Nothing to do but to wait for rays from outside.
+  /// Says whether it has nothing to do but to wait for rays from outside.
   virtual bool starved() const = 0;
-  /// The cycles from where the unit stopped to the machine's last one.
+  /// Counts the cycles from where the unit stopped to the machine's last one, `end` - 1.
   virtual void drain_until(Cycle end) = 0;
 
-  /// The hit stream is held back until `cycle`, as by a hit_queue that is full.
+  /// Holds the hit stream back until `cycle`, as a hit_queue that is full does.
   virtual void hold_hits_until(Cycle cycle) = 0;
-  /// From now on the positions in the trace of rays that complete are added to `rays`, in order.
+  /// Adds, from now on, the positions in the trace of rays that complete to `rays`, in order.
   virtual void log_completions(std::vector<uint32_t>* rays) = 0;
 
-  /// Rays that have left by the hit stream.
+  /// Returns how many rays have left by the hit stream.
   virtual int64_t completed() const = 0;
   /// As at the end of cycle `end` - 1, which is not below cycle() - 1: a unit that is finished stops earlier. In the
   /// middle of a run ray_setup.rays may be ahead.
   virtual Counts counts(Cycle end) = 0;
   virtual Fill fill() const = 0;
-  /// Fill of every queue and who waits for whom, for the watchdog's message.
+  /// Says how full every queue is and who waits for whom, for the watchdog's message.
   virtual std::string who_waits() const = 0;
 };
 

@@ -38,7 +38,7 @@ struct PortStalls {
     return Random::mix(key) % 1000 < static_cast<uint64_t>(chance);
   }
 
-  /// The first cycle >= `cycle` in which the port is free. Without stalls (nullptr): `cycle`.
+  /// Returns the first cycle >= `cycle` in which the port is free; without stalls (nullptr) `cycle`.
   static Cycle free_from(const PortStalls* stalls, Port port, int pipeline, Cycle cycle) {
     if (stalls != nullptr) {
       while (stalls->blocked(port, pipeline, cycle)) ++cycle;

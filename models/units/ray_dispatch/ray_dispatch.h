@@ -56,7 +56,7 @@ class RayDispatch {
     closed_ = cycle;
   }
 
-  /// Credits that may be used before `limit` are all known: rays may be sent up to there.
+  /// Says that credits which may be used before `limit` are all known: rays may be sent up to there.
   void set_horizon(Cycle limit) { horizon_ = limit; }
 
   /// Sends all rays whose cycle is below the horizon.
@@ -90,19 +90,19 @@ class RayDispatch {
     }
   }
 
-  /// A credit of pipeline p that may be used from `cycle` on; called in order of cycles.
+  /// Gives back a credit of the pipeline that may be used from `cycle` on; called in order of cycles.
   void give_credit(int pipeline, Cycle cycle) { credits_[static_cast<size_t>(pipeline)].push_back(cycle); }
 
   Ring<Sent>& queue(int pipeline) { return queues_[static_cast<size_t>(pipeline)]; }
-  /// None waits, none can come.
+  /// Says whether no ray waits and none can come.
   bool all_sent() const { return next_ == rays_ && !open_; }
-  /// None waits, more may come.
+  /// Says whether no ray waits and more may come.
   bool starved() const { return next_ == rays_ && open_; }
   uint32_t sent() const { return next_; }
   RayDispatchCounts counts() const { return {next_}; }
-  /// Cycle of the last send, or the one in which it was known that none follows, if later; -1 before both.
+  /// Returns the cycle of the last send, or of when it was known that none follows, if later; -1 before both.
   Cycle last_sent() const { return std::max(last_sent_, closed_); }
-  /// The cycle given to `close`; -1 without.
+  /// Returns the cycle given to `close`; -1 without.
   Cycle closed() const { return closed_; }
 
  private:

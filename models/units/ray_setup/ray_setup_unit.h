@@ -40,7 +40,7 @@ class RaySetupUnit {
         queue_depth_(static_cast<size_t>(parameters.queue_depth)),
         taken_(std::bit_ceil(queue_depth_), -1) {}
 
-  /// From now on entering rays are added to `log`.
+  /// Adds entering rays to `log` from now on.
   void log_ports(PortLog* log) { log_ = log; }
 
   /// Moves rays from the dispatch queue into set-up as far as is known.
@@ -63,10 +63,10 @@ class RaySetupUnit {
     }
   }
 
-  /// The first cycle in which the next ray may be taken; kNever when none is known.
+  /// Returns the first cycle in which the next ray may be taken; kNever when none is known.
   Cycle next_ready() const { return ready_.empty() ? kNever : ready_.front().cycle; }
 
-  /// Its position in the machine's order.
+  /// Returns the position of the next ray in the machine's order.
   uint32_t next_ray() const { return ready_.front().ray; }
 
   Ready take(Cycle cycle) {
@@ -76,14 +76,14 @@ class RaySetupUnit {
     return taken;
   }
 
-  /// Neither here nor in the queue before.
+  /// Says whether no ray is here nor in the queue before.
   bool empty() const { return ready_.empty() && source_.queue(pipeline_).empty(); }
   RaySetupCounts counts() const { return {static_cast<int64_t>(entered_)}; }
   size_t waiting() const { return ready_.size(); }
   size_t queued() const { return source_.queue(pipeline_).size(); }
 
  private:
-  /// When ray k, counted from 0 by entering, was taken: of those that are not yet forgotten.
+  /// Returns when ray k, counted from 0 by entering, was taken: of those that are not yet forgotten.
   Cycle& taken_at(size_t k) { return taken_[k & (taken_.size() - 1)]; }
 
   RaySetupParameters parameters_;

@@ -39,12 +39,12 @@ class ResultWriter final : public MemoryClient {
       if (done == Step::kTook) return last_cycle_;
     }
   }
-  /// No record comes any more: what is left may be sent from `cycle` on.
+  /// Learns that no record comes any more: what is left may be sent from `cycle` on.
   void finish(Cycle cycle) { finish_from_ = cycle; }
-  /// Everything taken was sent and acknowledged.
+  /// Says whether everything taken was sent and acknowledged.
   bool idle() const;
 
-  /// Nothing waits to be written, nothing written waits for its acknowledgement; a burst may be partly filled.
+  /// Says whether nothing waits to be written or acknowledged; a burst may be partly filled.
   bool quiet() const { return queue_.empty() && filled_ < records_per_burst_ && unacknowledged() == 0; }
 
   void respond(int slot, Cycle response) override;
@@ -56,7 +56,7 @@ class ResultWriter final : public MemoryClient {
 
  private:
   enum class Step : uint8_t { kNothing, kTook, kSent };
-  /// The next thing that happens, if it happens below `limit`.
+  /// Does the next thing that happens, if it happens below `limit`.
   Step step(Cycle limit);
   Step send(Cycle limit, Cycle earliest);
 

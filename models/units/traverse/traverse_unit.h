@@ -58,21 +58,21 @@ class TraverseUnit {
       free_.push_back(context);
   }
 
-  /// The hit stream is held back until `cycle`, as by a hit_queue that is full.
+  /// Holds the hit stream back until `cycle`, as a hit_queue that is full does.
   void hold_hits_until(Cycle cycle) { hits_open_from_ = cycle; }
-  /// From now on the positions in the trace of rays that complete are added to `rays`, in order.
+  /// Adds, from now on, the positions in the trace of rays that complete to `rays`, in order.
   void log_completions(std::vector<uint32_t>* rays) { completions_ = rays; }
 
-  /// Everything that happens in cycles below `limit`. Throws Error(kNoProgress).
+  /// Does everything that happens in cycles below `limit`. Throws Error(kNoProgress).
   void advance(Cycle limit);
 
-  /// No ray here, none to come.
+  /// Says whether no ray is here and none can come.
   bool finished() const { return resident() == 0 && setup_.empty() && dispatch_.all_sent(); }
   Cycle cycle() const { return cycle_; }
-  /// Nothing to do but to wait for rays from outside.
+  /// Says whether it has nothing to do but to wait for rays from outside.
   bool starved() const { return resident() == 0 && setup_.empty() && dispatch_.starved(); }
   int resident() const { return static_cast<int>(contexts_.size() - free_.size()); }
-  /// The cycles from where the unit stopped to the machine's last one.
+  /// Counts the cycles from where the unit stopped to the machine's last one, `end` - 1.
   void drain_until(Cycle end) {
     record_rays_inside();
     add_bubbles(counts_, end - cycle_);
@@ -82,11 +82,11 @@ class TraverseUnit {
   /// At the end of cycle `end` - 1, with the cycles so far of rays that are resident; a unit that is finished stops
   /// earlier.
   Counts counts_until(Cycle end) const;
-  /// Fill of every queue and who waits for whom, for the watchdog's message.
+  /// Says how full every queue is and who waits for whom, for the watchdog's message.
   std::string who_waits() const;
 
  protected:
-  /// In a run that was stopped: the misses so far of rays that have not ended.
+  /// Records, in a run that was stopped, the misses so far of rays that have not ended.
   void record_rays_inside();
 
   struct Context {
@@ -100,7 +100,7 @@ class TraverseUnit {
   };
   std::vector<const Context*> residents() const;
 
-  /// The step's next line access; kHit where nothing is to be read.
+  /// Does the step's next line access; kHit where nothing is to be read.
   HeightL1::Answer access(const Context& ray, int context) {
     const uint32_t line = *ray.steps.next;
     if ((line & kKeptStep) != 0) [[unlikely]]
