@@ -11,14 +11,13 @@ StepSource::StepSource(const Workload& work, const TexelLayout& layout, int line
       layout_(layout),
       line_shift_(std::countr_zero(static_cast<unsigned>(line_bytes))),
       order_(order),
-      walker_(make_walker(work)),
-      rays_(static_cast<uint32_t>(order.size())) {}
+      walker_(make_walker(work)) {}
 
 void StepSource::make_batch() {
   constexpr uint64_t kLinesPerBatch = 1 << 19;
   constexpr uint64_t kLargestBatch = 1024;
   Batch& batch = batches_.emplace_back();
-  const uint32_t count = std::min(batch_rays_, rays_ - made_);
+  const uint32_t count = std::min(batch_rays_, static_cast<uint32_t>(order_.size()) - made_);
   batch.first_ray = made_;
   batch.unfinished = count;
   batch.spans.resize(count);

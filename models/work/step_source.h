@@ -21,14 +21,12 @@ namespace cuesta {
 /// done.
 class StepSource {
  public:
-  /// `order`: of the machine, each a position in the trace; the rays that it names are there. Rays may be added behind
-  /// them (`set_rays`). All references must outlive the source.
+  /// `order`: of the machine, each a position in the trace. The rays that it names are there; it may grow. All
+  /// references must outlive the source.
   StepSource(const Workload& work, const TexelLayout& layout, int line_bytes,
              const std::vector<uint32_t>& order);
   StepSource(const StepSource&) = delete;
   StepSource& operator=(const StepSource&) = delete;
-
-  void set_rays(uint32_t rays) { rays_ = rays; }
 
   /// Returns the steps of a ray that is there; valid until `finish(ray)`.
   RaySteps steps(uint32_t ray) {
@@ -71,7 +69,6 @@ class StepSource {
   int line_shift_;
   const std::vector<uint32_t>& order_;
   std::unique_ptr<Walker> walker_;
-  uint32_t rays_;
   uint32_t made_ = 0;
   uint32_t batch_rays_ = 256;  ///< of the next batch, so that its lines stay within a few megabytes
   std::deque<Batch> batches_;

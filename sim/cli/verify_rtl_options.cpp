@@ -5,6 +5,7 @@
 
 #include "models/common/error.h"
 #include "models/common/words.h"
+#include "models/units/ports/port_stalls.h"
 
 namespace cuesta {
 
@@ -42,10 +43,9 @@ void VerifyRtlOptions::declare(Options& options) {
               "With a scene: one value of the architecture: height_l1.ways=4; may be repeated");
   options.add("--size", run.size, "With a scene: pixels: 256 or 640x480");
   options.add("--crop", run.crop, "With a scene: only the pixels x,y,width,height of the frame");
-  options.add(
-      "--stalls", stalls,
-      "With a scene: SEED:p,p,p,p,p,p,p,p, chances of a stall per mille at the ports trace, "
-      "dispatch, setup (with --unit traverse), memory request, memory response, hit stream, result, write");
+  options.add("--stalls", stalls,
+              "With a scene: SEED:p,p,p,p,p,p,p,p, chances of a stall per mille at the ports " +
+                  joined(kPortNames) + "; setup only with --unit traverse");
   options.add("--memory", memory,
               "With a scene: SEED:LEAST,MOST,GAP: rays come up to GAP cycles apart, memory answers "
               "after LEAST to MOST cycles, in any order");

@@ -14,18 +14,9 @@ namespace {
 template <auto Section, const auto& kTable, size_t Row>
 Parameter of_architecture() {
   constexpr const auto& row = kTable[Row];
-  return {row.path,
-          row.low,
-          row.high,
-          row.names,
-          row.power_of_two,
-          row.use,
-          row.unit,
-          row.meaning,
-          row.source,
-          [](const Architecture& a) { return kTable[Row].get(a.*Section); },
-          [](Architecture& a, int64_t value) { kTable[Row].set(a.*Section, value); },
-          row.inert};
+  return {{row.path, row.low, row.high, row.names, row.power_of_two, row.use, row.unit, row.meaning,
+           row.source, [](const Architecture& a) { return kTable[Row].get(a.*Section); },
+           [](Architecture& a, int64_t value) { kTable[Row].set(a.*Section, value); }, row.inert}};
 }
 
 template <auto Section, const auto& kTable>

@@ -11,23 +11,9 @@
 
 namespace cuesta {
 
-/// A parameter of a whole architecture: a row of a unit's table (ParameterRow), reached through its section. The list
-/// of all of them is what files, `--set`, the resolved configuration, `cuesta list parameters` and the documentation
-/// use.
-struct Parameter {
-  std::string_view path;                    ///< "height_l1.ways": section and key of an architecture file
-  int64_t low, high;                        ///< accepted, both ends included; for a name: index into `names`
-  std::span<const std::string_view> names;  ///< empty for a number
-  bool power_of_two;                        ///< 0 is accepted beside them where the range holds it
-  ParameterUse use;
-  std::string_view unit;     ///< "cycles", "bytes" ...; empty for a name or a plain number
-  std::string_view meaning;  ///< one sentence
-  std::string_view source;   ///< where range and default come from; "ours": our choice
-  int64_t (*get)(const Architecture&);
-  void (*set)(Architecture&, int64_t);
-  std::string_view inert =
-      {};  ///< why it changes no count, histogram or digest; empty: in some setting it does
-
+/// A parameter of a whole architecture: a row of a unit's table, reached through its section. The list of all of them
+/// is what files, `--set`, the resolved configuration, `cuesta list parameters` and the documentation use.
+struct Parameter : ParameterRow<Architecture> {
   std::string_view section() const { return path.substr(0, path.find('.')); }
   std::string_view key() const { return path.substr(path.find('.') + 1); }
   /// "a power of two from 16 to 1024", "one of fixed, float, double".

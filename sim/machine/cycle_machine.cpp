@@ -38,7 +38,6 @@ void CycleMachine::trace_arrives(std::span<const MachineRay> rays, std::span<con
 }
 
 void CycleMachine::add_rays(uint32_t first) {
-  source_->set_rays(static_cast<uint32_t>(order_.size()));
   costs_.resize(order_.size());
   timing_.resize(order_.size());
   hits_.resize(order_.size());
@@ -77,7 +76,7 @@ void CycleMachine::log_completions(std::vector<std::vector<uint32_t>>& rays) {
 
 void CycleMachine::advance(Cycle end) {
   if (rays_ != nullptr) rays_->bring_until(end, *this);
-  if (hosted_) outside_->deliver_until(end);
+  below_.deliver_until(end);
   while (now_ < end) {
     now_ = std::min(end, now_ + step_);
     dispatch_.set_horizon(step_ == kNever ? kNever : now_);
@@ -113,9 +112,9 @@ bool CycleMachine::done() const {
 }
 
 bool CycleMachine::starved() const {
-  return (!hosted_ || outside_->in_flight() == 0) &&
-         std::all_of(pipeline_.begin(), pipeline_.end(),
-                     [](const auto& p) { return p->hmt->starved() && p->writer.quiet(); });
+  return below_.in_flight() == 0 && std::all_of(pipeline_.begin(), pipeline_.end(), [](const auto& p) {
+           return p->hmt->starved() && p->writer.quiet();
+         });
 }
 
 uint64_t CycleMachine::completed() const {

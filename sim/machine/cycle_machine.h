@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "models/heightmap/texel_layout.h"
-#include "models/units/dram/dram.h"
+#include "models/units/dram/dram_level.h"
 #include "models/units/hmt/hmt_unit.h"
 #include "models/units/memory/memory_port.h"
 #include "models/units/memory/outside_memory.h"
@@ -165,9 +165,9 @@ class CycleMachine final : public RayIntake {
   std::vector<RayTiming> timing_;
   std::vector<HitRecord> hits_;
   Watchdog watchdog_;
-  std::unique_ptr<Dram> dram_;             ///< inside
+  std::unique_ptr<DramLevel> dram_;        ///< inside
   std::unique_ptr<OutsideLevel> outside_;  ///< in its place
-  std::unique_ptr<MemoryLevel> dram_level_;
+  MemoryLevel& below_;                     ///< the one of the two that there is
   MemoryPort memory_;
   RayDispatch dispatch_;
   std::vector<std::unique_ptr<Pipeline>> pipeline_;

@@ -59,12 +59,11 @@ CycleMachine::CycleMachine(const Workload& work, const Architecture& architectur
       step_(at_once_ || (pipelines_ == 1 && hosted_)
                 ? kNever
                 : std::min<Cycle>(architecture.ray_dispatch.credit_latency_cycles, window_)),
-      dram_(hosted_ ? nullptr : std::make_unique<Dram>(architecture.dram, granule_bytes(architecture))),
+      dram_(hosted_ ? nullptr
+                    : std::make_unique<DramLevel>(architecture.dram, granule_bytes(architecture), costs_)),
       outside_(hosted_ ? std::make_unique<OutsideLevel>(*outside, costs_) : nullptr),
-      dram_level_(
-          hosted_ ? nullptr
-                  : std::make_unique<DramLevel>(*dram_, architecture.dram.request_latency_cycles, costs_)),
-      memory_(hosted_ ? static_cast<MemoryLevel&>(*outside_) : *dram_level_, at_once_),
+      below_(hosted_ ? static_cast<MemoryLevel&>(*outside_) : *dram_),
+      memory_(below_, at_once_),
       dispatch_(architecture.ray_dispatch, pipelines_, hooks.stalls) {
   if (work.arithmetic != architecture.traverse.arithmetic ||
       work.format != number_format(architecture.traverse, work.map)) {

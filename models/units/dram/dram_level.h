@@ -10,9 +10,13 @@ namespace cuesta {
 /// dram as a memory level: since it serves in the order of arrival, every answer is known with its request.
 class DramLevel final : public MemoryLevel {
  public:
-  /// `request_latency_cycles`: from a master to the controller. `costs`: by owner; both must outlive the level.
-  DramLevel(Dram& dram, int request_latency_cycles, std::vector<MemoryCost>& costs)
-      : dram_(dram), request_latency_(request_latency_cycles), costs_(costs) {}
+  /// `granule_bytes`: as Dram's. `costs`: by owner; they must outlive the level.
+  DramLevel(const DramParameters& parameters, int granule_bytes, std::vector<MemoryCost>& costs)
+      : dram_(parameters, granule_bytes),
+        request_latency_(parameters.request_latency_cycles),
+        costs_(costs) {}
+
+  const DramCounts& counts() const { return dram_.counts(); }
 
   void request(const MemoryRequest& request) override {
     MemoryCost& cost = costs_[request.owner];
@@ -25,7 +29,7 @@ class DramLevel final : public MemoryLevel {
   }
 
  private:
-  Dram& dram_;
+  Dram dram_;
   int request_latency_;
   std::vector<MemoryCost>& costs_;
 };

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
+#include <string_view>
 
 #include "models/common/random.h"
 
@@ -22,7 +24,11 @@ enum class Port : uint8_t {
   kResult,          ///< hit_queue -> result_writer
   kWrite,           ///< result_writer -> dram
 };
-inline constexpr int kPortCount = 8;
+/// How each is written for a person, in the same order: a new port is a line above and a word here.
+inline constexpr std::string_view kPortNames[] = {"trace",           "dispatch",   "setup",  "memory request",
+                                                  "memory response", "hit stream", "result", "write"};
+inline constexpr int kPortCount = static_cast<int>(std::size(kPortNames));
+static_assert(static_cast<int>(Port::kWrite) + 1 == kPortCount);
 
 /// Seeded back-pressure: whether a transfer through a port is held back in a cycle is a pure function of seed,
 /// port, pipeline and cycle, so that two models of the machine meet the same stalls whatever order they ask in.

@@ -119,8 +119,7 @@ TEST(UnitEqualsTwin, HeightL1) {
     const PortStalls* stalls = machine.stalled ? &machine.stalls : nullptr;
     const int line_bytes = a.height_l1.line_bytes;
     std::vector<MemoryCost> costs(kContexts);
-    Dram dram(a.dram, line_bytes);
-    DramLevel level(dram, a.dram.request_latency_cycles, costs);
+    DramLevel level(a.dram, line_bytes, costs);
     MemoryPort memory(level, false);
     HeightL1 fast(a.height_l1, kContexts, kLines * static_cast<uint64_t>(line_bytes), 0, memory, stalls);
     DramTwin dram_twin(a.dram, line_bytes, line_bytes, 1, machine.stalls);
@@ -235,8 +234,7 @@ TEST(UnitEqualsTwin, HitQueueAndResultWriter) {
     const int burst_bytes = a.result_writer.burst_bytes;
     constexpr int kRecords = 150;
     std::vector<MemoryCost> costs(kRecords);
-    Dram dram(a.dram, burst_bytes);
-    DramLevel level(dram, a.dram.request_latency_cycles, costs);
+    DramLevel level(a.dram, burst_bytes, costs);
     MemoryPort memory(level, false);
     HitQueue fast_queue(a.hit_queue.depth);
     ResultWriter fast(a.result_writer, 0, 1, 0, fast_queue, memory, stalls);
