@@ -52,7 +52,8 @@ Ran run(const RandomMachine& machine, size_t in_trace) {
   if (machine.stalled) hooks.stalls = &machine.stalls;
   const Workload work = machine.work();
   CycleMachine hosted(work, machine.architecture, memory, &source, hooks);
-  for (Cycle now = 0; !hosted.done();) {
+  constexpr Cycle kMost = 10'000'000;
+  for (Cycle now = 0; !hosted.done() && now < kMost;) {
     for (const RandomMemory::Answer& answer : memory.answers())
       hosted.answer(answer.number, answer.response, 0, 0);
     memory.answers().clear();
