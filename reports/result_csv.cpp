@@ -1,11 +1,10 @@
 #include "reports/result_csv.h"
 
-#include "models/units/statistics.h"
-
 #include <fmt/format.h>
 
 #include <set>
 
+#include "models/units/statistics.h"
 #include "reports/quantities.h"
 
 namespace cuesta {

@@ -1,11 +1,10 @@
 #include "reports/result_json.h"
 
-#include "models/units/statistics.h"
-
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "models/common/error.h"
+#include "models/units/statistics.h"
 #include "reports/quantities.h"
 
 namespace cuesta {

@@ -1,5 +1,4 @@
 #include "sim/cli/run_options.h"
-#include "sim/config/on_architecture.h"
 
 #include <charconv>
 #include <filesystem>

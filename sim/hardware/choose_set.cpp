@@ -1,9 +1,9 @@
 #include "sim/hardware/choose_set.h"
-#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 
 #include "models/common/error.h"
+#include "sim/config/on_architecture.h"
 
 namespace cuesta::rtl {
 namespace {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "models/common/error.h"
+#include "models/units/height_l1/height_l1.h"
 #include "sim/hardware/rtl_unit.h"
 
 namespace cuesta::rtl {

@@ -10,6 +10,7 @@
 #include "models/common/error.h"
 #include "models/heightmap/texel_layout.h"
 #include "models/rays/map_shape.h"
+#include "models/units/hmt/hmt_site.h"
 #include "models/units/hmt/hmt_unit.h"
 #include "models/work/workload.h"
 #include "sim/hardware/hmt_top_port.h"

@@ -85,7 +85,7 @@ class TraverseRtl final : public RtlUnit {
   uint32_t next_ray_ = UINT32_MAX;
   bool next_dead_ = false;
   uint32_t texel_ = 0;
-  TraverseUnit::Counts counts_;
+  TraverseCounts counts_;
 };
 
 void TraverseRtl::tick() {

@@ -8,6 +8,7 @@
 
 #include "models/heightmap/texel_layout.h"
 #include "models/units/dram/dram_level.h"
+#include "models/units/hmt/hmt_site.h"
 #include "models/units/hmt/hmt_unit.h"
 #include "models/units/memory/memory_port.h"
 #include "models/units/memory/outside_memory.h"

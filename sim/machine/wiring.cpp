@@ -7,6 +7,7 @@
 #include "models/common/error.h"
 #include "models/units/dram/dram.h"
 #include "models/units/dram/dram_level.h"
+#include "models/units/hmt/hmt_model.h"
 #include "models/units/traverse/run_ahead_traverse.h"
 #include "sim/config/on_architecture.h"
 #include "sim/hardware/choose_set.h"

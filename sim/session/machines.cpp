@@ -1,9 +1,9 @@
 #include "sim/session/machines.h"
-#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 
 #include "models/common/error.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/transaction_run.h"
 
 namespace cuesta {

@@ -1,13 +1,13 @@
 #include "sim/session/measure.h"
-#include "models/work/functional_run.h"
-#include "sim/config/on_architecture.h"
 
 #include <chrono>
 
 #include "models/common/digest.h"
 #include "models/common/error.h"
 #include "models/oracle/checked_walks.h"
+#include "models/work/functional_run.h"
 #include "models/work/outcome.h"
+#include "sim/config/on_architecture.h"
 #include "sim/config/parameters.h"
 
 namespace cuesta {

@@ -1,10 +1,10 @@
 #include "sim/session/measure_scenes.h"
-#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <cstdio>
 
 #include "models/common/words.h"
+#include "sim/config/on_architecture.h"
 #include "sim/session/manifest.h"
 
 namespace cuesta {

@@ -1,10 +1,10 @@
 #include "tests/twins/machine_difference.h"
-#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include "models/units/ray_dispatch/dispatch_order.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/cycle_machine.h"
 
 namespace cuesta::twins {

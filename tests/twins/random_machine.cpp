@@ -1,5 +1,4 @@
 #include "tests/twins/random_machine.h"
-#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include "models/common/error.h"
 #include "models/common/random.h"
 #include "models/oracle/random_cases.h"
+#include "sim/config/on_architecture.h"
 #include "sim/config/parameters.h"
 #include "sim/verify/lockstep/random_architecture.h"
 

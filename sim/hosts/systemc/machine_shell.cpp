@@ -1,11 +1,11 @@
 #include "sim/hosts/systemc/machine_shell.h"
-#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <string>
 
 #include "models/common/error.h"
 #include "models/rays/hit_bytes.h"
+#include "sim/config/on_architecture.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 // What stands on the stack of an SC_THREAD when the simulation ends is never destroyed, and the stacks are the

@@ -1,11 +1,11 @@
 #include "sim/verify/lockstep/own_case.h"
-#include "sim/config/on_architecture.h"
 
 #include <fmt/core.h>
 
 #include <utility>
 
 #include "models/common/error.h"
+#include "sim/config/on_architecture.h"
 
 namespace cuesta {
 

@@ -1,10 +1,10 @@
 #include "sim/verify/lockstep/random_rtl_case.h"
-#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 
 #include "models/common/error.h"
 #include "models/oracle/random_cases.h"
+#include "sim/config/on_architecture.h"
 #include "sim/machine/machine.h"
 #include "sim/verify/lockstep/random_architecture.h"
 

@@ -1,11 +1,11 @@
 #include "sim/verify/lockstep/rig.h"
-#include "sim/config/on_architecture.h"
 
 #include <algorithm>
 #include <numeric>
 
 #include "models/common/error.h"
 #include "models/units/ray_dispatch/dispatch_order.h"
+#include "sim/config/on_architecture.h"
 
 namespace cuesta {
 namespace {

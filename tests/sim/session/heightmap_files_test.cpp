@@ -1,5 +1,4 @@
 #include "sim/session/heightmap_files.h"
-#include "sim/config/on_architecture.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,4 @@
 #include "sim/session/hosts.h"
-#include "sim/config/on_architecture.h"
 
 #include <gtest/gtest.h>
 

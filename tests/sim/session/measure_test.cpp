@@ -1,6 +1,4 @@
 #include "sim/session/measure.h"
-#include "models/work/functional_run.h"
-#include "sim/config/on_architecture.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +9,8 @@
 
 #include "models/common/error.h"
 #include "models/heightmap/generator.h"
+#include "models/work/functional_run.h"
+#include "sim/config/on_architecture.h"
 #include "traces/ray_sets.h"
 
 // Schedules and address modes through whole runs, in both fidelities.

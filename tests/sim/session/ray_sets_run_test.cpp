@@ -2,7 +2,6 @@
 
 #include <fstream>
 
-#include "sim/config/on_architecture.h"
 #include "sim/session/measure.h"
 #include "tests/support/temporary_folder.h"
 #include "traces/ray_sets.h"
